@@ -1,0 +1,43 @@
+"""Arrays at the boundary: float64, finite, of the expected shape, and read-only."""
+
+from collections.abc import Sequence
+
+import numpy as np
+import numpy.typing as npt
+
+from popsim.errors import GeometryError
+
+FloatArray = npt.NDArray[np.float64]
+IntArray = npt.NDArray[np.int64]
+UInt8Array = npt.NDArray[np.uint8]
+BoolArray = npt.NDArray[np.bool_]
+
+
+def locked(values: npt.ArrayLike, shape: Sequence[int | None], name: str) -> FloatArray:
+    """Return `values` as a read-only float64 array.
+
+    Parameters
+    ----------
+    values:
+        Anything numpy can read.
+    shape:
+        The expected shape; None stands for any length.
+    name:
+        What the error calls the values.
+
+    Raises
+    ------
+    GeometryError
+        The shape differs, or a value is not finite.
+    """
+    array = np.array(values, dtype=np.float64)
+    fits = array.ndim == len(shape) and all(
+        want is None or want == have for want, have in zip(shape, array.shape, strict=False)
+    )
+    if not fits:
+        expected = " x ".join("n" if n is None else str(n) for n in shape)
+        raise GeometryError(f"{name} must have shape {expected}, not {' x '.join(map(str, array.shape))}")
+    if not np.isfinite(array).all():
+        raise GeometryError(f"{name} must be finite numbers; found NaN or infinity")
+    array.setflags(write=False)
+    return array

@@ -1,0 +1,91 @@
+"""A coloured triangle surface: what a model and an open pop-up look like to the renderer.
+
+It is the one type that the mesh door makes, the patches are painted from, and the pictures are drawn from.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from popsim.errors import GeometryError
+from popsim.geometry.arrays import FloatArray, IntArray, UInt8Array, locked
+
+
+@dataclass(frozen=True, eq=False)
+class Material:
+    """How faces look: `colour` times `texture` (times the corner colours of the surface).
+
+    Attributes
+    ----------
+    colour:
+        RGBA, each 0..1, shape (4,).
+    texture:
+        RGBA image, shape (h, w, 4), or None. Row 0 is the top of the picture; v = 1 there.
+    """
+
+    colour: FloatArray
+    texture: UInt8Array | None = None
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "colour", locked(self.colour, (4,), "material colour"))
+
+
+@dataclass(frozen=True, eq=False)
+class Surface:
+    """`m` triangles with their colours.
+
+    Attributes
+    ----------
+    triangles:
+        Corners, shape (m, 3, 3). The frame and the unit are the caller's.
+    uv:
+        Texture coordinates per corner, shape (m, 3, 2), repeating; zeros where there is no texture.
+    material:
+        Index into `materials` per triangle, shape (m,).
+    materials:
+        At least one.
+    colours:
+        RGBA per corner (vertex or face colours), 0..1, shape (m, 3, 4), or None for white.
+    """
+
+    triangles: FloatArray
+    uv: FloatArray
+    material: IntArray
+    materials: tuple[Material, ...]
+    colours: FloatArray | None = None
+
+    def __post_init__(self) -> None:
+        count = len(self.triangles)
+        object.__setattr__(self, "triangles", locked(self.triangles, (count, 3, 3), "triangles"))
+        object.__setattr__(self, "uv", locked(self.uv, (count, 3, 2), "uv"))
+        material = np.ascontiguousarray(self.material, dtype=np.int64)
+        if material.shape != (count,) or not self.materials:
+            raise GeometryError(
+                f"a surface of {count} triangles needs {count} material indices and a material"
+            )
+        if count and not (material.min() >= 0 and material.max() < len(self.materials)):
+            raise GeometryError(f"material indices must lie in 0..{len(self.materials) - 1}")
+        material.setflags(write=False)
+        object.__setattr__(self, "material", material)
+        if self.colours is not None:
+            object.__setattr__(self, "colours", locked(self.colours, (count, 3, 4), "colours"))
+
+    @property
+    def textured(self) -> bool:
+        """Whether any material carries an image."""
+        return any(m.texture is not None for m in self.materials)
+
+    @property
+    def bounds(self) -> FloatArray:
+        """Lowest and highest corner, shape (2, 3)."""
+        corners = self.triangles.reshape(-1, 3)
+        return np.array([corners.min(axis=0), corners.max(axis=0)])
+
+    def transformed(self, matrix: FloatArray) -> "Surface":
+        """Return the surface moved by the homogeneous `matrix` (4, 4); mirrors swap the corner order."""
+        moved = self.triangles @ matrix[:3, :3].T + matrix[:3, 3]
+        uv, colours = self.uv, self.colours
+        if np.linalg.det(matrix[:3, :3]) < 0:
+            moved, uv = moved[:, ::-1], uv[:, ::-1]
+            colours = None if colours is None else colours[:, ::-1]
+        return Surface(moved, uv, self.material, self.materials, colours)
