@@ -60,9 +60,7 @@ class Surface:
         object.__setattr__(self, "uv", locked(self.uv, (count, 3, 2), "uv"))
         material = np.ascontiguousarray(self.material, dtype=np.int64)
         if material.shape != (count,) or not self.materials:
-            raise GeometryError(
-                f"a surface of {count} triangles needs {count} material indices and a material"
-            )
+            raise GeometryError(f"a surface of {count} triangles needs {count} material indices and a material")
         if count and not (material.min() >= 0 and material.max() < len(self.materials)):
             raise GeometryError(f"material indices must lie in 0..{len(self.materials) - 1}")
         material.setflags(write=False)

@@ -1,0 +1,44 @@
+"""Rigid motions as homogeneous matrices, one per fold angle."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from popsim.geometry.arrays import FloatArray
+
+
+class Frame(NamedTuple):
+    """An orthonormal frame on a moving patch: origin and two in-plane axes, each of shape (n, 3)."""
+
+    origin: FloatArray
+    first: FloatArray
+    second: FloatArray
+
+
+def motion_between(start: Frame, frames: Frame) -> FloatArray:
+    """Motion that carries `start` (one row) to each row of `frames`, shape (n, 4, 4)."""
+    turn = _axes(frames) @ np.swapaxes(_axes(start), -1, -2)
+    poses = np.zeros((len(turn), 4, 4))
+    poses[:, :3, :3] = turn
+    poses[:, :3, 3] = frames.origin - (turn @ start.origin[0])
+    poses[:, 3, 3] = 1
+    return poses
+
+
+def transform(poses: FloatArray, points: FloatArray) -> FloatArray:
+    """Move points (k, 3) by poses (..., 4, 4); returns (..., k, 3)."""
+    turned = points @ np.swapaxes(poses[..., :3, :3], -1, -2)
+    return np.asarray(turned + poses[..., None, :3, 3])
+
+
+def translation(offset: FloatArray) -> FloatArray:
+    """Homogeneous matrix (4, 4) that shifts by `offset` (3,)."""
+    matrix = np.eye(4)
+    matrix[:3, 3] = offset
+    return matrix
+
+
+def _axes(frame: Frame) -> FloatArray:
+    """Rotation matrices whose columns are the two axes and their cross product, shape (n, 3, 3)."""
+    columns = [frame.first, frame.second, np.cross(frame.first, frame.second)]
+    return np.stack(np.broadcast_arrays(*columns), axis=-1)
