@@ -1,0 +1,65 @@
+"""The model formats that popsim reads, and which axis each of them calls up."""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from popsim.errors import MeshError
+
+
+@dataclass(frozen=True)
+class ModelFormat:
+    """One file format.
+
+    Attributes
+    ----------
+    name:
+        What messages and reports call it.
+    reader:
+        The file type by which trimesh knows it.
+    up:
+        How likely each model axis is to point up, by the standard or the custom of the format;
+        axes not listed are taken to be :data:`OTHER_AXIS`.
+    linear_colours:
+        Whether colour factors are linear light (glTF 2.0, 3.9.2) and not display values.
+    """
+
+    name: str
+    reader: str
+    up: dict[str, float]
+    linear_colours: bool = False
+
+
+OTHER_AXIS = 0.01
+"""Prior weight of an axis that no custom of a format calls up; not zero, for files do break customs."""
+
+_GLTF_UP = {"y": 0.95, "z": 0.02}  # glTF 2.0, 3.4: +y is up; exporters turn the model
+_OBJ_UP = {"y": 0.60, "z": 0.35}  # no rule: y from games and modellers, z from CAD and robotics
+_PRINT_UP = {"z": 0.90, "y": 0.05}  # slicers and CAD build along z
+_SCAN_UP = {"z": 0.60, "y": 0.30}  # no rule
+
+FORMATS: dict[str, ModelFormat] = {
+    ".obj": ModelFormat("OBJ", "obj", _OBJ_UP),
+    ".stl": ModelFormat("STL", "stl", _PRINT_UP),
+    ".ply": ModelFormat("PLY", "ply", _SCAN_UP),
+    ".off": ModelFormat("OFF", "off", _SCAN_UP),
+    ".glb": ModelFormat("GLB", "glb", _GLTF_UP, linear_colours=True),
+    ".gltf": ModelFormat("glTF", "gltf", _GLTF_UP, linear_colours=True),
+    ".3mf": ModelFormat("3MF", "3mf", _PRINT_UP),
+}
+"""Suffix (lower case, with its dot) to format. A new format is one more row."""
+
+
+def format_of(path: Path) -> ModelFormat:
+    """Return the format of a model file by its suffix.
+
+    Raises
+    ------
+    MeshError
+        No format has this suffix.
+    """
+    known = FORMATS.get(path.suffix.lower())
+    if known is None:
+        raise MeshError(
+            f"{path.name}: the suffix '{path.suffix}' is not a model format; expected one of {' '.join(FORMATS)}"
+        )
+    return known

@@ -1,0 +1,157 @@
+"""Reads a model file into a coloured surface; the only way from a file to geometry."""
+
+import hashlib
+import logging
+import warnings
+from collections.abc import Iterator
+from contextlib import contextmanager
+from io import BytesIO
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from popsim.errors import MeshError
+from popsim.geometry.arrays import FloatArray
+from popsim.geometry.surface import Material, Surface
+from popsim.mesh.cleaning import usable_triangles
+from popsim.mesh.formats import ModelFormat, format_of
+from popsim.mesh.materials import Look, look_of
+from popsim.mesh.model import Model
+
+_DISPLAY_COLOUR_WRITER = b"github.com/mikedh/trimesh"
+"""Generator of glTF files whose factors are display values, against the standard."""
+
+
+def load_model(path: Path | str) -> Model:
+    """Read a model.
+
+    Parameters
+    ----------
+    path:
+        A file with a suffix of :data:`popsim.mesh.formats.FORMATS`, in any letter case.
+
+    Returns
+    -------
+    Model
+        All geometries of the scene as one surface, with their materials, textures and vertex or face
+        colours. Faces without an area or with undefined coordinates are left out and noted; a texture that
+        is missing or damaged is noted and the colour of its material used.
+
+    Raises
+    ------
+    MeshError
+        The file is missing, not of a known format, damaged, or holds no surface.
+    """
+    path = Path(path)
+    known = format_of(path)
+    data = _read(path)
+    scene, notes = _parse(path, known, data)
+    linear = known.linear_colours and _DISPLAY_COLOUR_WRITER not in data
+    with _quiet():
+        parts = list(_parts(scene, linear))
+    corners = np.concatenate([c for c, _ in parts]) if parts else np.zeros((0, 3, 3))
+    keep, dropped = usable_triangles(corners, path)
+    surface = _joined(corners, [look for _, look in parts], keep)
+    problems = dict.fromkeys(look.problem for _, look in parts if look.problem)
+    return Model(
+        path=path,
+        sha256=hashlib.sha256(data).hexdigest(),
+        surface=surface,
+        format=known.name,
+        notes=(*notes, *problems, *dropped),
+    )
+
+
+def _read(path: Path) -> bytes:
+    if not path.exists():
+        raise MeshError(f"{path}: there is no such file; check the path")
+    if not path.is_file():
+        raise MeshError(f"{path}: this is not a file; give a model file")
+    try:
+        data = path.read_bytes()
+    except OSError as error:
+        raise MeshError(f"{path}: cannot be read: {error.strerror}") from error
+    if not data.strip():
+        raise MeshError(f"{path.name}: the file is empty")
+    return data
+
+
+def _parse(path: Path, known: ModelFormat, data: bytes) -> tuple[Any, list[str]]:
+    """Return the trimesh scene and what its materials lacked."""
+    with _quiet():
+        import trimesh  # slow: only when a model is read
+
+        from popsim.mesh.assets import AssetResolver  # imports trimesh
+
+        resolver = AssetResolver(path)
+        try:
+            scene = trimesh.load_scene(BytesIO(data), file_type=known.reader, resolver=resolver, process=False)
+        except Exception as error:  # readers raise whatever their parsing trips over
+            raise MeshError(_unreadable(path, known, error, _needed(resolver.missing, data))) from error
+    notes = [
+        f"'{name}' is missing beside {path.name}; plain colours are used instead" for name in resolver.missing
+    ]
+    notes += [f"'{name}' is not an image; plain colours are used instead" for name in resolver.unreadable]
+    return scene, notes
+
+
+def _needed(missing: list[str], data: bytes) -> str | None:
+    """Return the first missing file that the model itself names (readers also try names of their own)."""
+    return next((name for name in missing if name.encode() in data), None)
+
+
+def _unreadable(path: Path, known: ModelFormat, error: Exception, needed: str | None) -> str:
+    if needed:
+        return f"{path.name}: needs the file '{needed}', which is missing beside it"
+    lines = str(error).strip().splitlines()
+    reason = f" ({lines[0][:120]})" if lines else ""
+    return f"{path.name}: cannot be read as {known.name}; the file is damaged or of another format{reason}"
+
+
+def _parts(scene: Any, linear: bool) -> Iterator[tuple[FloatArray, Look]]:
+    """Yield corners (n, 3, 3) and colours of each geometry at each of its places in the scene."""
+    for mesh in scene.dump():
+        faces = getattr(mesh, "faces", None)
+        if faces is None or not len(faces):
+            continue  # points and lines
+        visual = scene.geometry[mesh.metadata["name"]].visual
+        yield np.asarray(mesh.vertices[faces], dtype=np.float64), look_of(visual, np.asarray(faces), linear=linear)
+
+
+def _joined(corners: FloatArray, looks: list[Look], keep: np.ndarray[Any, Any]) -> Surface:
+    materials: list[Material] = []
+    known: dict[tuple[bytes, bytes | None], int] = {}
+    index = []
+    for look in looks:
+        key = _fingerprint(look.material)
+        if key not in known:
+            known[key] = len(materials)
+            materials.append(look.material)
+        index.append(np.full(len(look.uv), known[key]))
+    colours = None
+    if any(look.colours is not None for look in looks):
+        colours = np.concatenate([np.ones((len(k.uv), 3, 4)) if k.colours is None else k.colours for k in looks])[
+            keep
+        ]
+    uv = np.concatenate([look.uv for look in looks])[keep]
+    return Surface(corners[keep], uv, np.concatenate(index)[keep], tuple(materials), colours)
+
+
+def _fingerprint(material: Material) -> tuple[bytes, bytes | None]:
+    texture = material.texture
+    return material.colour.tobytes(), None if texture is None else hashlib.sha256(texture.tobytes()).digest()
+
+
+@contextmanager
+def _quiet() -> Iterator[None]:
+    """Silence the log and the warnings of trimesh and Pillow: what matters becomes a note or an error."""
+    logger = logging.getLogger("trimesh")
+    before = logger.disabled
+    logger.disabled = True
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            yield
+    finally:
+        logger.disabled = before
