@@ -24,6 +24,15 @@ Millimetres = Annotated[float, Field(gt=0)]
 class _Model(BaseModel):
     model_config = ConfigDict(frozen=True, extra="allow", allow_inf_nan=False)
 
+    def __eq__(self, other: object) -> bool:
+        """Equal fields; what was derived and cached does not count."""
+        if type(self) is not type(other):
+            return NotImplemented
+        same = all(getattr(self, name) == getattr(other, name) for name in type(self).model_fields)
+        return same and self.model_extra == getattr(other, "model_extra", None)
+
+    __hash__ = None  # type: ignore[assignment]  # mechanisms hold dicts, which have no hash
+
 
 class Source(_Model):
     """The model file a design was made from."""

@@ -204,10 +204,10 @@ def _check_reachable(design: Design) -> None:
     reached, frontier = {GROUND_ID, BACKDROP_ID}, [GROUND_ID, BACKDROP_ID]
     while frontier:
         for hinge in design.hinges_by_patch[frontier.pop()]:
-            for patch in hinge.patches:
-                if patch not in reached:
-                    reached.add(patch)
-                    frontier.append(patch)
+            for name in hinge.patches:
+                if name not in reached:
+                    reached.add(name)
+                    frontier.append(name)
     for index, patch in enumerate(design.patches):
         if patch.id not in reached:
             raise DesignError(

@@ -1,0 +1,33 @@
+"""The pop-up mechanisms: each file holds one, and the registry names them all.
+
+A mechanism stands on a base patch pair and is made of plates (its patches) and joints (its hinges) in the open
+pose. It knows in closed form where its plates are at every fold angle, which pairs it offers to others, which
+primitives it can represent (Table 1) and what must hold for it to fold and to stand (Sec. 3.3.1). Nothing
+outside a mechanism's own file asks which mechanism it is: a new one is a new file and one entry here.
+"""
+
+from popsim.mechanisms.assemble import Shape, assemble
+from popsim.mechanisms.base import Joint, Mechanism, Plate, Recognition
+from popsim.mechanisms.condition import Condition
+from popsim.mechanisms.members import Members
+from popsim.mechanisms.pair import BasePatchPair, PairKind, card_pair
+from popsim.mechanisms.primitive import RectangularPrism, TriangularPrism
+from popsim.mechanisms.registry import MECHANISMS, mechanism_type
+
+__all__ = [
+    "MECHANISMS",
+    "BasePatchPair",
+    "Condition",
+    "Joint",
+    "Mechanism",
+    "Members",
+    "PairKind",
+    "Plate",
+    "Recognition",
+    "RectangularPrism",
+    "Shape",
+    "TriangularPrism",
+    "assemble",
+    "card_pair",
+    "mechanism_type",
+]

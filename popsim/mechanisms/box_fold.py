@@ -1,0 +1,273 @@
+"""Box-fold: sides, backbone and tops of a box, kept from shearing by front and back pairs (Sec. 3.2.4, Fig. 6)."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Any, Literal, NamedTuple, Self
+
+import numpy as np
+
+from popsim.errors import GeometryError
+from popsim.geometry.arrays import FloatArray
+from popsim.geometry.frame import X_AXIS, Z_AXIS, Side, page_direction
+from popsim.geometry.rigid import Frame
+from popsim.mechanisms.base import (
+    FIRST_BASE,
+    SECOND_BASE,
+    Joint,
+    Mechanism,
+    Plate,
+    Recognition,
+    rectangle,
+    require_positive,
+)
+from popsim.mechanisms.members import Members
+from popsim.mechanisms.pair import BasePatchPair, PairKind
+from popsim.mechanisms.primitive import Primitive, RectangularPrism
+
+
+class Top(NamedTuple):
+    """A top over [x0, x1] at `height` above the fold line, mm."""
+
+    x0: float
+    x1: float
+    height: float
+
+
+class EndPair(NamedTuple):
+    """A front pair (facing 1) or back pair (facing -1) at x, from `low` to `high` above the fold line, mm."""
+
+    x: float
+    low: float
+    high: float
+    facing: Literal[1, -1]
+
+
+@dataclass(frozen=True)
+class BoxFold(Mechanism):
+    """A box of half width w over an opening pair, with one or several tops and end pairs (layers, Sec. 4.3).
+
+    `tops` adjoin each other from back to front; sides L, R and backbone C carry their profile. While closing, the
+    sides stand on w g and w b, the tops keep parallel to the pages at their height, and each end pair moves
+    outward by w cos a, lifted by w cos a.
+    """
+
+    half_width: float
+    tops: tuple[Top, ...]
+    end_pairs: tuple[EndPair, ...]
+
+    type = "box-fold"
+    pair_kind = PairKind.OPENING
+
+    @classmethod
+    def stepped(cls, id: str, pair: BasePatchPair, half_width: float, tops: tuple[Top, ...]) -> Self:
+        """The box-fold under a profile, with an end pair at each of its steps and ends."""
+        return cls(id, pair, half_width, tops, step_pairs(tops))
+
+    @classmethod
+    def plain(cls, id: str, pair: BasePatchPair, half_width: float, height: float, x: tuple[float, float]) -> Self:
+        """The simple box of Fig. 6."""
+        return cls.stepped(id, pair, half_width, (Top(*x, height),))
+
+    def _check_parameters(self) -> None:
+        require_positive(self, half_width=self.half_width)
+        if not self.tops:
+            raise GeometryError(f"{self.id}: a box-fold needs at least one top")
+        for top in self.tops:
+            require_positive(self, length=top.x1 - top.x0, height=top.height)
+        for left, right in pairwise(self.tops):
+            if abs(left.x1 - right.x0) > 1e-9 or left.height == right.height:
+                raise GeometryError(
+                    f"{self.id}: tops of a box-fold adjoin at different heights, not {left} next to {right}"
+                )
+        for end in self.end_pairs:
+            require_positive(self, pair_height=end.high - end.low)
+
+    @property
+    def x(self) -> tuple[float, float]:
+        """Extent of sides and tops along x."""
+        return self.tops[0].x0, self.tops[-1].x1
+
+    @property
+    def height(self) -> float:
+        """Height of the highest top above the fold line."""
+        return max(top.height for top in self.tops)
+
+    def profile(self, y: float) -> FloatArray:
+        """Outline of a side or the backbone in the plane y, open pose, shape (n, 3)."""
+        corners = [(self.x[0], 0.0), (self.x[1], 0.0)]
+        for top in reversed(self.tops):
+            corners += [(top.x1, top.height), (top.x0, top.height)]
+        return np.array([[x, y, self.pair.v + z] for x, z in corners])
+
+    def plates(self) -> tuple[Plate, ...]:
+        w, v = self.half_width, self.pair.v
+        plates = [
+            Plate("L", self.profile(w), np.array([0.0, 1.0, 0.0])),
+            Plate("R", self.profile(-w), np.array([0.0, -1.0, 0.0])),
+            Plate("C", self.profile(0.0), np.array([0.0, 1.0, 0.0]), principal=False),
+        ]
+        for top, (ground, backdrop) in zip(self.tops, self.top_roles(), strict=True):
+            ridge = np.array([0.0, 0.0, v + top.height])
+            for role, y in ((ground, w), (backdrop, -w)):
+                edge = ridge + np.array([0.0, y, 0.0])
+                plates.append(Plate(role, rectangle((top.x0, top.x1), ridge, edge), Z_AXIS))
+        for end, roles in zip(self.end_pairs, self.end_roles(), strict=True):
+            for role, y in zip(roles, (w, -w), strict=True):
+                corners = [(y, end.low), (0.0, end.low), (0.0, end.high), (y, end.high)]
+                outline = np.array([[end.x, across, v + z] for across, z in corners])
+                plates.append(Plate(role, outline, end.facing * X_AXIS))
+        return tuple(plates)
+
+    def joints(self) -> tuple[Joint, ...]:
+        w, v = self.half_width, self.pair.v
+
+        def level(x0: float, x1: float, y: float, z: float) -> FloatArray:
+            return np.array([[x0, y, v + z], [x1, y, v + z]])
+
+        def upright(end: EndPair, y: float) -> FloatArray:
+            return np.array([[end.x, y, v + end.low], [end.x, y, v + end.high]])
+
+        joints = [
+            Joint((FIRST_BASE, "L"), level(*self.x, w, 0.0), "glue"),
+            Joint((SECOND_BASE, "R"), level(*self.x, -w, 0.0), "glue"),
+            Joint((FIRST_BASE, "C"), level(*self.x, 0.0, 0.0), "glue"),
+        ]
+        for top, (ground, backdrop) in zip(self.tops, self.top_roles(), strict=True):
+            x0, x1, z = top
+            joints += [
+                Joint(("L", ground), level(x0, x1, w, z), "fold"),
+                Joint(("R", backdrop), level(x0, x1, -w, z), "fold"),
+                Joint((ground, backdrop), level(x0, x1, 0.0, z), "fold", -Z_AXIS),
+                Joint((ground, "C"), level(x0, x1, 0.0, z), "glue"),
+            ]
+        for end, (left, right) in zip(self.end_pairs, self.end_roles(), strict=True):
+            joints += [
+                Joint(("L", left), upright(end, w), "fold"),
+                Joint(("R", right), upright(end, -w), "fold"),
+                Joint((left, right), upright(end, 0.0), "fold", end.facing * X_AXIS),
+            ]
+        return tuple(joints)
+
+    def frames(self, theta: FloatArray) -> dict[str, Frame]:
+        alpha = np.asarray(theta, float) / 2
+        zero = np.zeros((len(alpha), 3))
+        along, up = zero + X_AXIS, zero + Z_AXIS
+        frames = {"C": Frame(zero, along, up)}
+        out = {side: page_direction(side, theta) for side in Side}
+        for side, role in ((Side.GROUND, "L"), (Side.BACKDROP, "R")):
+            frames[role] = Frame(self.half_width * out[side], along, up)
+        for top, roles in zip(self.tops, self.top_roles(), strict=True):
+            fold = zero + (self.pair.v + top.height) * Z_AXIS
+            for side, role in zip(Side, roles, strict=True):
+                frames[role] = Frame(fold, along, out[side])
+        for end, roles in zip(self.end_pairs, self.end_roles(), strict=True):
+            for side, role in zip(Side, roles, strict=True):
+                hinge = self.half_width * out[side] + end.x * X_AXIS
+                inward = np.stack([end.facing * np.cos(alpha), -side.value * np.sin(alpha), 0 * alpha], axis=-1)
+                frames[role] = Frame(hinge, inward, up)
+        return frames
+
+    def pairs(self) -> tuple[BasePatchPair, ...]:
+        offered = []
+        for top, roles in zip(self.tops, self.top_roles(), strict=True):
+            offered.append(self._top_pair(top, roles))
+            offered += self._corner_pairs(top)
+        return tuple(offered)
+
+    def closing_range(self) -> tuple[float, float]:
+        reached = [end.x + end.facing * self.half_width for end in self.end_pairs]
+        return min([self.x[0], *reached]), max([self.x[1], *reached])
+
+    def closed_extent(self) -> float:
+        return self.pair.v + self.half_width + max([self.height, *(end.high for end in self.end_pairs)])
+
+    def parameters(self) -> dict[str, Any]:
+        return {
+            "half_width": self.half_width,
+            "tops": [dict(top._asdict()) for top in self.tops],
+            "end_pairs": [dict(end._asdict()) for end in self.end_pairs],
+        }
+
+    @classmethod
+    def recognise(cls, members: Members) -> Recognition:
+        from popsim.mechanisms.box_fold_parts import recognise_box
+
+        return recognise_box(cls, members)
+
+    @classmethod
+    def from_primitive(cls, primitive: Primitive, pair: BasePatchPair, id: str) -> Iterator[Self]:
+        if not isinstance(primitive, RectangularPrism) or primitive.turned or pair.kind is not cls.pair_kind:
+            return
+        half, height = min(-primitive.low[1], primitive.high[1]), primitive.high[2] - pair.v
+        x = (primitive.low[0], primitive.high[0])
+        if pair.x[0] <= x[0] and x[1] <= pair.x[1] and 0 < half <= min(pair.reach) and height > 0:
+            yield cls.plain(id, pair, half, height, x)
+
+    def top_roles(self) -> list[tuple[str, str]]:
+        """Roles of the ground and backdrop halves of each top."""
+        return [(f"T_G{_number(k)}", f"T_B{_number(k)}") for k in range(len(self.tops))]
+
+    def end_roles(self) -> list[tuple[str, str]]:
+        """Roles of the left and right patches of each end pair."""
+        seen = {1: 0, -1: 0}
+        roles = []
+        for end in self.end_pairs:
+            letter, number = "F" if end.facing == 1 else "B", _number(seen[end.facing])
+            seen[end.facing] += 1
+            roles.append((f"{letter}_L{number}", f"{letter}_R{number}"))
+        return roles
+
+    def _top_pair(self, top: Top, roles: tuple[str, str]) -> BasePatchPair:
+        """The top as a card again; end pairs that rise behind it sweep over it and narrow what is free."""
+        low, high = -np.inf, np.inf
+        for end in self.end_pairs:
+            if end.high > top.height + 1e-9:
+                if end.facing == 1 and end.x <= top.x0 + 1e-9:
+                    low = max(low, end.x + self.half_width)
+                elif end.facing == -1 and end.x >= top.x1 - 1e-9:
+                    high = min(high, end.x - self.half_width)
+        return BasePatchPair(
+            patches=(self.patch_id(roles[0]), self.patch_id(roles[1])),
+            kind=PairKind.OPENING,
+            side=Side.GROUND,
+            u=0.0,
+            v=self.pair.v + top.height,
+            x=(top.x0, top.x1),
+            reach=(self.half_width, self.half_width),
+            free=(low, high),
+            owner=self.id,
+        )
+
+    def _corner_pairs(self, top: Top) -> list[BasePatchPair]:
+        corners = []
+        for side, wall, base in ((Side.GROUND, "L", 0), (Side.BACKDROP, "R", 1)):
+            floor = self.pair.reach[base] - self.half_width
+            if floor > 0:
+                patches = (self.pair.patches[base], self.patch_id(wall))
+                corners.append(
+                    BasePatchPair(
+                        patches=patches,
+                        kind=PairKind.CORNER,
+                        side=side,
+                        u=self.half_width,
+                        v=self.pair.v,
+                        x=(top.x0, top.x1),
+                        reach=(floor, top.height),
+                        owner=self.id,
+                    )
+                )
+        return corners
+
+
+def step_pairs(tops: tuple[Top, ...]) -> tuple[EndPair, ...]:
+    """An end pair at each step and end of a profile: a back pair where it rises with x, else a front pair."""
+    levels = [(tops[0].x0, 0.0, tops[0].height)]
+    levels += [(right.x0, left.height, right.height) for left, right in pairwise(tops)]
+    levels.append((tops[-1].x1, tops[-1].height, 0.0))
+    return tuple(EndPair(x, min(a, b), max(a, b), 1 if b < a else -1) for x, a, b in levels)
+
+
+def _number(index: int) -> str:
+    """Suffix of the roles of a layer: none for the first."""
+    return str(index + 1) if index else ""

@@ -1,0 +1,126 @@
+"""Step-fold: a riser and a tread that make a parallelogram with a corner pair (Sec. 3.2.1, Fig. 5a)."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from popsim.geometry.arrays import FloatArray
+from popsim.geometry.frame import OPEN, X_AXIS, Z_AXIS, page_direction, skew_point
+from popsim.geometry.rigid import Frame
+from popsim.mechanisms.base import (
+    FIRST_BASE,
+    SECOND_BASE,
+    Joint,
+    Mechanism,
+    Plate,
+    Recognition,
+    rectangle,
+    require_positive,
+)
+from popsim.mechanisms.condition import identity
+from popsim.mechanisms.members import Members
+from popsim.mechanisms.pair import BasePatchPair, PairKind
+from popsim.mechanisms.primitive import Primitive, RectangularPrism
+
+
+@dataclass(frozen=True)
+class StepFold(Mechanism):
+    """A step over x in a corner: depth s along the floor, height h along the wall.
+
+    The riser (S_4 of the paper) stays parallel to the wall, the tread (S_3) to the floor; it pops up where the
+    corner opens to 90 degrees, which it does when the card is open. It does not move along x.
+    """
+
+    x: tuple[float, float]
+    s: float
+    h: float
+
+    type = "step-fold"
+    pair_kind = PairKind.CORNER
+
+    def _check_parameters(self) -> None:
+        require_positive(self, length=self.x[1] - self.x[0], s=self.s, h=self.h)
+
+    def plates(self) -> tuple[Plate, ...]:
+        wall, foot, edge = self._section()
+        outward = page_direction(self.pair.side, np.array([OPEN]))[0]
+        return (
+            Plate("riser", rectangle(self.x, foot, edge), outward),
+            Plate("tread", rectangle(self.x, wall, edge), Z_AXIS),
+        )
+
+    def joints(self) -> tuple[Joint, ...]:
+        def line(point: FloatArray) -> FloatArray:
+            return np.array([[x, *point[1:]] for x in self.x])
+
+        wall, foot, edge = self._section()
+        return (
+            Joint((FIRST_BASE, "riser"), line(foot), "glue"),
+            Joint((SECOND_BASE, "tread"), line(wall), "glue"),
+            Joint(("riser", "tread"), line(edge), "fold"),
+        )
+
+    def frames(self, theta: FloatArray) -> dict[str, Frame]:
+        pair = self.pair
+        d = page_direction(pair.side, theta)
+        along = np.broadcast_to(X_AXIS, d.shape)
+        return {
+            "riser": Frame(skew_point(0, pair.u + self.s, pair.v, pair.side, theta), along, 0 * d + Z_AXIS),
+            "tread": Frame(skew_point(0, pair.u, pair.v + self.h, pair.side, theta), along, d),
+        }
+
+    def pairs(self) -> tuple[BasePatchPair, ...]:
+        pair = self.pair
+        riser, tread = self.patch_id("riser"), self.patch_id("tread")
+
+        def corner(patches: tuple[str, str], u: float, v: float, reach: tuple[float, float]) -> BasePatchPair:
+            return BasePatchPair(patches, PairKind.CORNER, pair.side, u, v, self.x, reach, owner=self.id)
+
+        outer = corner((pair.patches[0], riser), pair.u + self.s, pair.v, (pair.reach[0] - self.s, self.h))
+        upper = corner((tread, pair.patches[1]), pair.u, pair.v + self.h, (self.s, pair.reach[1] - self.h))
+        return tuple(offered for offered in (outer, upper) if min(offered.reach) > 0)
+
+    def closing_range(self) -> tuple[float, float]:
+        return self.x
+
+    def closed_extent(self) -> float:
+        return self.pair.u + self.s + self.pair.v + self.h
+
+    @classmethod
+    def recognise(cls, members: Members) -> Recognition:
+        feet, heads = members.on_base(0), members.on_base(1)
+        edge = members.between(feet[0][0], heads[0][0]) if len(feet) == len(heads) == 1 else None
+        if edge is None or len(members.record.patches) != 2:
+            form = "one patch hinged to the floor, one to the wall, and a fold between them"
+            return Recognition.unlike(members.id, form)
+        foot, head, top = (members.section(hinge) for hinge in (feet[0][1], heads[0][1], edge))
+        floor, wall = foot[0], head[1]
+        riser, tread = float(np.linalg.norm(top - foot)), float(np.linalg.norm(top - head))
+        conditions = (
+            identity("foldable", members.id, "|S1| = |S3| (floor and tread)", floor - tread),
+            identity("foldable", members.id, "|S2| = |S4| (wall and riser)", wall - riser),
+        )
+        if not (floor > 0 and wall > 0):
+            return Recognition(None, conditions)
+        step = cls(members.id, members.pair, members.extent_x(), float(floor), float(wall))
+        return Recognition(step, conditions, {feet[0][0]: "riser", heads[0][0]: "tread"})
+
+    @classmethod
+    def from_primitive(cls, primitive: Primitive, pair: BasePatchPair, id: str) -> Iterator["StepFold"]:
+        if not isinstance(primitive, RectangularPrism) or primitive.turned or pair.kind is not cls.pair_kind:
+            return
+        near, far = sorted(pair.side.value * y for y in (primitive.low[1], primitive.high[1]))
+        s, h = far - pair.u, primitive.high[2] - pair.v
+        x = (primitive.low[0], primitive.high[0])
+        fits = pair.x[0] <= x[0] and x[1] <= pair.x[1] and 0 < s <= pair.reach[0] and 0 < h <= pair.reach[1]
+        if fits and near <= pair.u + 1e-6 and primitive.low[2] <= pair.v + 1e-6:
+            yield cls(id, pair, x, s, h)
+
+    def _section(self) -> tuple[FloatArray, FloatArray, FloatArray]:
+        """Hinge on the wall, hinge on the floor and common fold, open pose, each (3,) with x = 0."""
+        pair, opened = self.pair, np.array([OPEN])
+        wall = skew_point(0, pair.u, pair.v + self.h, pair.side, opened)[0]
+        foot = skew_point(0, pair.u + self.s, pair.v, pair.side, opened)[0]
+        edge = skew_point(0, pair.u + self.s, pair.v + self.h, pair.side, opened)[0]
+        return wall, foot, edge

@@ -1,0 +1,122 @@
+"""Tent-fold: two slopes that meet in a ridge over the fold line (Sec. 3.2.2, Fig. 5b)."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from popsim.geometry.arrays import FloatArray
+from popsim.geometry.frame import X_AXIS, Side, page_direction
+from popsim.geometry.rigid import Frame
+from popsim.mechanisms.base import (
+    FIRST_BASE,
+    SECOND_BASE,
+    Joint,
+    Mechanism,
+    Plate,
+    Recognition,
+    rectangle,
+    require_positive,
+)
+from popsim.mechanisms.condition import Condition, identity
+from popsim.mechanisms.members import Members
+from popsim.mechanisms.pair import BasePatchPair, PairKind
+from popsim.mechanisms.primitive import Primitive, TriangularPrism
+
+
+@dataclass(frozen=True)
+class TentFold(Mechanism):
+    """A roof over x on an opening pair: half base t1, ridge `height` above the fold line when open.
+
+    T_1 and T_2 are strips of the base, T_3 (ground side) and T_4 the slopes, |T_3| = sqrt(t1^2 + height^2). The
+    ridge stays in the bisecting plane, at t1 cos a + sqrt(t3^2 - t1^2 sin^2 a). It does not move along x.
+    """
+
+    x: tuple[float, float]
+    t1: float
+    height: float
+
+    type = "tent-fold"
+    pair_kind = PairKind.OPENING
+
+    @property
+    def t3(self) -> float:
+        """Length of a slope, |T_3| = |T_4|, mm."""
+        return float(np.hypot(self.t1, self.height))
+
+    def _check_parameters(self) -> None:
+        require_positive(self, length=self.x[1] - self.x[0], t1=self.t1, height=self.height)
+
+    def plates(self) -> tuple[Plate, ...]:
+        ridge = np.array([0.0, 0.0, self.pair.v + self.height])
+        slopes = []
+        for side, role in _SLOPES:
+            foot = np.array([0.0, side.value * self.t1, self.pair.v])
+            outward = np.array([0.0, side.value * self.height, self.t1]) / self.t3
+            slopes.append(Plate(role, rectangle(self.x, foot, ridge), outward))
+        return tuple(slopes)
+
+    def joints(self) -> tuple[Joint, ...]:
+        def line(y: float, z: float) -> FloatArray:
+            return np.array([[x, y, z] for x in self.x])
+
+        v = self.pair.v
+        return (
+            Joint((FIRST_BASE, "T_3"), line(self.t1, v), "glue"),
+            Joint((SECOND_BASE, "T_4"), line(-self.t1, v), "glue"),
+            Joint(("T_3", "T_4"), line(0.0, v + self.height), "fold"),
+        )
+
+    def frames(self, theta: FloatArray) -> dict[str, Frame]:
+        alpha = np.asarray(theta, float) / 2
+        rise = np.sqrt(self.t3**2 - (self.t1 * np.sin(alpha)) ** 2)
+        ridge = (self.t1 * np.cos(alpha) + rise)[:, None] * Z_ROW + self.pair.v * Z_ROW
+        frames = {}
+        for side, role in _SLOPES:
+            foot = self.t1 * page_direction(side, theta) + self.pair.v * Z_ROW
+            up = (ridge - foot) / self.t3
+            frames[role] = Frame(foot, np.broadcast_to(X_AXIS, up.shape), up)
+        return frames
+
+    def pairs(self) -> tuple[BasePatchPair, ...]:
+        return ()
+
+    def closing_range(self) -> tuple[float, float]:
+        return self.x
+
+    def closed_extent(self) -> float:
+        return self.pair.v + self.t1 + self.t3
+
+    @classmethod
+    def recognise(cls, members: Members) -> Recognition:
+        ground, backdrop = members.on_base(0), members.on_base(1)
+        ridge = members.between(ground[0][0], backdrop[0][0]) if len(ground) == len(backdrop) == 1 else None
+        if ridge is None or len(members.record.patches) != 2:
+            form = "one patch hinged to each base patch, and a fold between them"
+            return Recognition.unlike(members.id, form)
+        first, second = members.section(ground[0][1]), members.section(backdrop[0][1])
+        top = members.section(ridge)
+        slopes = [float(np.linalg.norm(top - foot)) for foot in (first, second)]
+        conditions = (
+            identity("foldable", members.id, "|T1| = |T2|", first[0] - second[0]),
+            identity("foldable", members.id, "|T3| = |T4|", slopes[0] - slopes[1]),
+            identity("foldable", members.id, "ridge in the bisecting plane", top[0]),
+            Condition("foldable", members.id, "|T3| > |T1|", slopes[0] - float(first[0])),
+        )
+        if not (first[0] > 0 and top[1] > 0):
+            return Recognition(None, conditions)
+        tent = cls(members.id, members.pair, members.extent_x(), float(first[0]), float(top[1]))
+        return Recognition(tent, conditions, {ground[0][0]: "T_3", backdrop[0][0]: "T_4"})
+
+    @classmethod
+    def from_primitive(cls, primitive: Primitive, pair: BasePatchPair, id: str) -> Iterator["TentFold"]:
+        if not isinstance(primitive, TriangularPrism) or primitive.edges != "x" or pair.kind is not cls.pair_kind:
+            return
+        t1 = min(-primitive.low[1], primitive.high[1])
+        x, height = (primitive.low[0], primitive.high[0]), primitive.high[2] - pair.v
+        if pair.x[0] <= x[0] and x[1] <= pair.x[1] and 0 < t1 <= min(pair.reach) and height > 0:
+            yield cls(id, pair, x, t1, height)
+
+
+Z_ROW = np.array([[0.0, 0.0, 1.0]])
+_SLOPES = ((Side.GROUND, "T_3"), (Side.BACKDROP, "T_4"))

@@ -1,0 +1,98 @@
+"""V-fold of the first type: a whole box standing on a corner (Sec. 3.2.3, Fig. 5c)."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from typing import Self
+
+import numpy as np
+
+from popsim.geometry.arrays import FloatArray
+from popsim.geometry.frame import Z_AXIS
+from popsim.geometry.plane import line_distance
+from popsim.geometry.rigid import Frame
+from popsim.mechanisms.base import Joint, Plate
+from popsim.mechanisms.condition import identity
+from popsim.mechanisms.members import Members, along_z
+from popsim.mechanisms.pair import BasePatchPair
+from popsim.mechanisms.primitive import Primitive, RectangularPrism
+from popsim.mechanisms.v_fold import SIDES, VFold
+from popsim.mechanisms.v_fold_parts import Part, Walls
+
+
+@dataclass(frozen=True)
+class VFold1(VFold):
+    """Front walls, roof, and back walls B_L, B_R that complete a rhombus ring of four parallel folds.
+
+    The back walls are glued neither to the base nor to the roof: closing, the back corner rises by
+    sqrt2 width cos a.
+    """
+
+    type = "v-fold-1"
+    depth = float(np.sqrt(2))
+
+    def plates(self) -> tuple[Plate, ...]:
+        rise, end = self.height * Z_AXIS, np.array([self.back, 0.0, self.pair.v])
+        backs = []
+        for side, letter, _ in SIDES:
+            corner = self.corner(side)
+            outward = np.array([-self.facing, side.value, 0.0]) / np.sqrt(2)
+            backs.append(Plate(f"B_{letter}", np.array([corner, end, end + rise, corner + rise]), outward))
+        return super().plates() + tuple(backs)
+
+    def joints(self) -> tuple[Joint, ...]:
+        rise, end = self.height * Z_AXIS, np.array([self.back, 0.0, self.pair.v])
+        sides = tuple(
+            Joint((f"F_{letter}", f"B_{letter}"), np.array([self.corner(side), self.corner(side) + rise]), "fold")
+            for side, letter, _ in SIDES
+        )
+        return (*super().joints(), *sides, Joint(("B_L", "B_R"), np.array([end, end + rise]), "fold"))
+
+    def frames(self, theta: FloatArray) -> dict[str, Frame]:
+        edge = self.edge_direction(theta)
+        backs = {}
+        for side, letter, _ in SIDES:
+            corner = self.foot + self.width * self.wall_direction(side, theta)
+            backs[f"B_{letter}"] = Frame(corner, self.wall_direction(side.other, theta), edge)
+        return super().frames(theta) | backs
+
+    def closed_extent(self) -> float:
+        back, ends = np.sqrt(2) * self.width + self.height / np.sqrt(2), (self.width + self.height) / np.sqrt(2)
+        return self.pair.v + float(max(back, ends))
+
+    def find_rest(self, members: Members, walls: Walls) -> tuple[Self, list[Part]] | str:
+        backs, corners = [], []
+        for wall in (walls.left, walls.right):
+            found = [
+                (name, hinge)
+                for name, hinge in members.neighbours(wall)
+                if along_z(hinge) and name not in (walls.left, walls.right)
+            ]
+            if len(found) != 1:
+                return "a back wall folded to each front wall"
+            backs.append(found[0][0])
+            corners.append(found[0][1].points.mean(axis=0))
+        ring = members.between(*backs)
+        if ring is None or not along_z(ring):
+            return "an upright fold between the back walls"
+        end = ring.points.mean(axis=0)
+        tip = np.array([walls.tip, 0.0, 0.0])
+        fronts = [float(np.linalg.norm((corner - tip)[:2])) for corner in corners]
+        rears = [float(np.linalg.norm((corner - end)[:2])) for corner in corners]
+        offs = [
+            float(line_distance(np.array([corner[0], corner[1], axis[0, 2]]), axis))
+            for corner, axis in zip(corners, walls.axes, strict=True)
+        ]
+        conditions = (
+            identity("foldable", members.id, "|F_L| = |F_R|", fronts[0] - fronts[1]),
+            identity("foldable", members.id, "|B_L| = |F_R|", rears[0] - fronts[1]),
+            identity("foldable", members.id, "|B_R| = |F_L|", rears[1] - fronts[0]),
+            identity("foldable", members.id, "back fold in the bisecting plane", float(end[1])),
+            *(identity("foldable", members.id, "side fold over its base hinge", off) for off in offs),
+        )
+        part = Part(dict(zip(backs, ("B_L", "B_R"), strict=True)), conditions)
+        return replace(self, width=fronts[0]), [part]
+
+    @classmethod
+    def from_primitive(cls, primitive: Primitive, pair: BasePatchPair, id: str) -> Iterator[Self]:
+        if isinstance(primitive, RectangularPrism) and primitive.turned:
+            yield from cls._from_box(primitive, pair, id, (1, -1))
