@@ -1,5 +1,6 @@
 """From mechanisms to a design: pages, patches with ids, hinges."""
 
+import json
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -128,6 +129,6 @@ def _record(mechanism: Mechanism) -> MechanismRecord:
         type=mechanism.type,
         base=mechanism.pair.patches,
         patches=tuple(mechanism.patch_id(plate.role) for plate in mechanism.plates()),
-        parameters=mechanism.parameters(),
+        parameters=json.loads(json.dumps(mechanism.parameters())),
         closing_range=(float(low), float(high)),
     )
