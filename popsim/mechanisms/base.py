@@ -4,9 +4,10 @@ from abc import ABC, abstractmethod
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, fields
 from functools import cached_property
-from typing import Any, ClassVar, Literal
+from typing import Any, ClassVar, Literal, Self
 
 import numpy as np
+from numpy.random import Generator
 
 from popsim.errors import GeometryError
 from popsim.geometry.arrays import FloatArray, locked
@@ -16,6 +17,7 @@ from popsim.mechanisms.condition import Condition
 from popsim.mechanisms.members import Members
 from popsim.mechanisms.pair import BasePatchPair, PairKind
 from popsim.mechanisms.primitive import Primitive
+from popsim.mechanisms.room import Room
 
 FIRST_BASE = "base:0"
 """Stands for the first patch of the base patch pair in a joint."""
@@ -38,15 +40,24 @@ class Plate:
         Unit normal to the side that is seen, shape (3,); patches inside have either.
     principal:
         Whether it shows a principal face of the primitive (Fig. 3); only those count in Eq. 2.
+    room:
+        How far its outline may follow the contours of the model without getting into the way of its own
+        mechanism, a polygon in the plane of the face, shape (k, 3); by default the face itself.
+    behind:
+        How deep behind the face, mm, the model still shows on it.
     """
 
     role: str
     outline: FloatArray
     outward: FloatArray
     principal: bool = True
+    room: FloatArray | None = None
+    behind: float = np.inf
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "outline", locked(self.outline, (None, 3), f"outline of {self.role}"))
+        room = self.outline if self.room is None else self.room
+        object.__setattr__(self, "room", locked(room, (None, 3), f"room of {self.role}"))
         object.__setattr__(self, "outward", locked(self.outward, (3,), f"outward of {self.role}"))
 
 
@@ -138,6 +149,15 @@ class Mechanism(ABC):
     @abstractmethod
     def from_primitive(cls, primitive: Primitive, pair: BasePatchPair, id: str) -> Iterator["Mechanism"]:
         """All mechanisms of this type on `pair` that represent `primitive` (Table 1); none where it cannot."""
+
+    @classmethod
+    @abstractmethod
+    def random(cls, rng: Generator, pair: BasePatchPair, id: str, room: Room) -> Self | None:
+        """Draw a valid mechanism on `pair` that stays within `room`, or None where there is too little.
+
+        Campaigns of verification are made of these; they should cover all that the type can be. Moving pair and
+        room along x moves the mechanism that the same numbers give.
+        """
 
     def poses(self, theta: FloatArray) -> dict[str, FloatArray]:
         """Rigid motion of each plate from the open pose to fold angles theta (n,), shape (n, 4, 4), by role."""
