@@ -37,7 +37,7 @@ def usable_triangles(corners: FloatArray, path: Path) -> tuple[BoolArray, list[s
     """
     if not len(corners):
         raise MeshError(f"{path.name}: no faces found; a pop-up needs a surface, not points or lines")
-    finite: BoolArray = np.isfinite(corners).all(axis=(1, 2))
+    finite = np.asarray(np.isfinite(corners).all(axis=(1, 2)))
     if not finite.any():
         raise MeshError(f"{path.name}: all {len(corners)} faces have coordinates that are not numbers")
     low, high = corners[finite].min(axis=(0, 1)), corners[finite].max(axis=(0, 1))

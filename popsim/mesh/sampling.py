@@ -59,6 +59,12 @@ class Samples:
         face.setflags(write=False)
         object.__setattr__(self, "face", face)
 
+    def moved(self, matrix: FloatArray) -> "Samples":
+        """Return the samples moved by the rigid motion `matrix` (4, 4)."""
+        turn = matrix[:3, :3].T
+        points = self.points @ turn + matrix[:3, 3]
+        return Samples(points, self.normals @ turn, self.face, self.area, self.spacing)
+
 
 def face_normals(surface: Surface) -> tuple[FloatArray, FloatArray]:
     """Return unit normals (m, 3), zero where a face has no area, and areas (m,)."""
@@ -169,7 +175,7 @@ def _parts(cell: IntArray, facing: IntArray) -> IntArray:
 
 
 def _means(part: IntArray, probes: FloatArray, share: FloatArray) -> tuple[FloatArray, FloatArray]:
-    area: FloatArray = np.bincount(part, weights=share)
+    area = np.asarray(np.bincount(part, weights=share), dtype=np.float64)
     sums = np.stack([np.bincount(part, weights=share * probes[:, k]) for k in range(3)], axis=1)
     return sums / area[:, None], area
 
