@@ -1,0 +1,63 @@
+"""Feature lines of a picture: outlines, steps in depth, and creases."""
+
+import numpy as np
+import numpy.typing as npt
+
+from popsim.geometry.arrays import BoolArray
+
+Image = npt.NDArray[np.float32]
+
+CREASE = float(np.cos(np.radians(30.0)))  # neighbours whose normals turn by more are on a crease
+STEP = 3.0  # pixels: a neighbour that leaves the tangent plane by more is on another surface
+
+
+def feature_edges(mask: BoolArray, normal: Image, point: Image, pixel: Image | float, width: int) -> BoolArray:
+    """Return the pixels (h, w) on which a feature line is drawn; always within `mask`.
+
+    Parameters
+    ----------
+    mask:
+        Where a surface is seen, shape (h, w).
+    normal:
+        Unit normals that point to the viewer, shape (h, w, 3).
+    point:
+        The points in space that are seen, shape (h, w, 3); finite everywhere.
+    pixel:
+        Side of a pixel at these points, in the unit of the points, shape (h, w) or a number.
+    width:
+        Width of the lines in pixels.
+    """
+    lines = np.zeros_like(mask)
+    reach = np.broadcast_to(np.asarray(STEP * pixel, dtype=np.float32), mask.shape)
+    for axis in (0, 1):
+        one, two = _neighbours(axis)
+        outline = mask[one] != mask[two]
+        both = mask[one] & mask[two]
+        turn = np.einsum("...d,...d->...", normal[one], normal[two]) < CREASE
+        apart = point[two] - point[one]
+        leaves_one = np.abs(np.einsum("...d,...d->...", normal[one], apart))
+        leaves_two = np.abs(np.einsum("...d,...d->...", normal[two], apart))
+        step = np.minimum(leaves_one, leaves_two) > reach[one]
+        edge = outline | (both & (turn | step))
+        lines[one] |= edge
+        lines[two] |= outline
+    return _widened(lines & mask, width) & mask
+
+
+def _neighbours(axis: int) -> tuple[tuple[slice, ...], tuple[slice, ...]]:
+    before, after = [slice(None)] * 2, [slice(None)] * 2
+    before[axis], after[axis] = slice(None, -1), slice(1, None)
+    return tuple(before), tuple(after)
+
+
+def _widened(lines: BoolArray, width: int) -> BoolArray:
+    for step in range(width - 1):
+        wider = lines.copy()
+        for axis in (0, 1):
+            one, two = _neighbours(axis)
+            if step % 2 == 0:  # grow to either side in turn, so that lines stay centred
+                wider[two] |= lines[one]
+            else:
+                wider[one] |= lines[two]
+        lines = wider
+    return lines

@@ -1,0 +1,48 @@
+"""Faces with the same three corners: modellers paste two, back to back, to colour the sides differently."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from popsim.geometry.arrays import BoolArray, FloatArray, IntArray
+
+
+@dataclass(frozen=True, eq=False)
+class TwinFaces:
+    """`k` different triangles among the `m` faces of a surface.
+
+    Attributes
+    ----------
+    front:
+        The face that stands for each triangle, shape (k,).
+    back:
+        Its first twin of the opposite orientation, or `front` again where there is none, shape (k,).
+    """
+
+    front: IntArray
+    back: IntArray
+
+    @classmethod
+    def of(cls, triangles: FloatArray, normals: FloatArray, holed: BoolArray) -> "TwinFaces":
+        """Return the different triangles of `triangles` (m, 3, 3); of twins, one without holes stands first."""
+        count = len(triangles)
+        _, vertex = np.unique(triangles.reshape(-1, 3), axis=0, return_inverse=True)
+        corners = np.sort(vertex.reshape(count, 3), axis=1)
+        order = np.lexsort((np.arange(count), holed, corners[:, 2], corners[:, 1], corners[:, 0]))
+        ordered = corners[order]
+        new = np.ones(count, dtype=bool)
+        new[1:] = (ordered[1:] != ordered[:-1]).any(axis=1)
+        front = order[new]
+        group = np.cumsum(new) - 1
+        turned = np.einsum("md,md->m", normals[order], normals[front[group]]) < 0
+        back = front.copy()
+        groups, first = np.unique(group[turned], return_index=True)
+        back[groups] = order[turned][first]
+        return cls(front.astype(np.int64), back.astype(np.int64))
+
+    def seen(self, triangle: IntArray, normals: FloatArray, directions: FloatArray) -> IntArray:
+        """Return the faces that rays along `directions` see of the triangles that they hit, shape (k,)."""
+        face = self.front[triangle]
+        normal = normals[face]
+        from_behind = np.einsum("kd,kd->k", normal, np.broadcast_to(directions, normal.shape)) > 0
+        return np.where(from_behind, self.back[triangle], face)
