@@ -46,10 +46,10 @@ def load_model(path: Path | str) -> Model:
     path = Path(path)
     known = format_of(path)
     data = _read(path)
-    scene, notes = _parse(path, known, data)
     linear = known.linear_colours and _DISPLAY_COLOUR_WRITER not in data
     with _quiet():
-        parts = list(_parts(scene, linear))
+        meshes, notes = _parse(path, known, data)
+        parts = [_part(mesh, visual, linear=linear) for mesh, visual in meshes]
     corners = np.concatenate([c for c, _ in parts]) if parts else np.zeros((0, 3, 3))
     keep, dropped = usable_triangles(corners, path)
     surface = _joined(corners, [look for _, look in parts], keep)
@@ -77,23 +77,35 @@ def _read(path: Path) -> bytes:
     return data
 
 
-def _parse(path: Path, known: ModelFormat, data: bytes) -> tuple[Any, list[str]]:
-    """Return the trimesh scene and what its materials lacked."""
-    with _quiet():
-        import trimesh  # slow: only when a model is read
+def _parse(path: Path, known: ModelFormat, data: bytes) -> tuple[list[tuple[Any, Any]], list[str]]:
+    """Return the trimesh meshes of the scene, in place, each with its visual; and what its materials lacked."""
+    import trimesh  # slow: only when a model is read
 
-        from popsim.mesh.assets import AssetResolver  # imports trimesh
+    from popsim.mesh.assets import AssetResolver  # imports trimesh
 
-        resolver = AssetResolver(path)
-        try:
-            scene = trimesh.load_scene(BytesIO(data), file_type=known.reader, resolver=resolver, process=False)
-        except Exception as error:  # readers raise whatever their parsing trips over
-            raise MeshError(_unreadable(path, known, error, _needed(resolver.missing, data))) from error
-    notes = [
-        f"'{name}' is missing beside {path.name}; plain colours are used instead" for name in resolver.missing
-    ]
+    resolver = AssetResolver(path)
+    try:
+        scene = trimesh.load_scene(BytesIO(data), file_type=known.reader, resolver=resolver, process=False)
+        meshes = _in_place(scene)
+    except Exception as error:  # readers raise whatever their parsing trips over
+        raise MeshError(_unreadable(path, known, error, _needed(resolver.missing, data))) from error
+    beside = f"is missing beside {path.name}; plain colours are used instead"
+    notes = [f"'{name}' {beside}" for name in resolver.missing]
     notes += [f"'{name}' is not an image; plain colours are used instead" for name in resolver.unreadable]
-    return scene, notes
+    return meshes, notes
+
+
+def _in_place(scene: Any) -> list[tuple[Any, Any]]:
+    """Return each geometry at each of its places, as `trimesh.load(force="mesh")` does, with its visual."""
+    from trimesh import Trimesh
+    from trimesh.visual import ColorVisuals
+
+    solid = {name: mesh for name, mesh in scene.geometry.items() if isinstance(mesh, Trimesh)}  # not points, lines
+    visuals = {name: mesh.visual for name, mesh in solid.items()}
+    for mesh in solid.values():
+        mesh.visual = ColorVisuals()  # else every copy in the dump decodes and copies the textures
+    meshes = [mesh for mesh in scene.dump() if mesh.metadata["name"] in solid and len(mesh.faces)]
+    return [(mesh, visuals[mesh.metadata["name"]]) for mesh in meshes]
 
 
 def _needed(missing: list[str], data: bytes) -> str | None:
@@ -109,14 +121,10 @@ def _unreadable(path: Path, known: ModelFormat, error: Exception, needed: str | 
     return f"{path.name}: cannot be read as {known.name}; the file is damaged or of another format{reason}"
 
 
-def _parts(scene: Any, linear: bool) -> Iterator[tuple[FloatArray, Look]]:
-    """Yield corners (n, 3, 3) and colours of each geometry at each of its places in the scene."""
-    for mesh in scene.dump():
-        faces = getattr(mesh, "faces", None)
-        if faces is None or not len(faces):
-            continue  # points and lines
-        visual = scene.geometry[mesh.metadata["name"]].visual
-        yield np.asarray(mesh.vertices[faces], dtype=np.float64), look_of(visual, np.asarray(faces), linear=linear)
+def _part(mesh: Any, visual: Any, *, linear: bool) -> tuple[FloatArray, Look]:
+    """Return the corners (n, 3, 3) and the colours of one mesh."""
+    faces = np.asarray(mesh.faces)
+    return np.asarray(mesh.vertices[faces], dtype=np.float64), look_of(visual, faces, linear=linear)
 
 
 def _joined(corners: FloatArray, looks: list[Look], keep: np.ndarray[Any, Any]) -> Surface:
