@@ -13,6 +13,7 @@ from popsim.mechanisms.members import Members
 from popsim.mechanisms.pair import BasePatchPair, PairKind, card_pair
 from popsim.mechanisms.primitive import RectangularPrism, TriangularPrism
 from popsim.mechanisms.registry import MECHANISMS, mechanism_type
+from popsim.mechanisms.room import Room
 
 __all__ = [
     "MECHANISMS",
@@ -25,6 +26,7 @@ __all__ = [
     "Plate",
     "Recognition",
     "RectangularPrism",
+    "Room",
     "Shape",
     "TriangularPrism",
     "assemble",

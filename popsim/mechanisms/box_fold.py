@@ -6,6 +6,7 @@ from itertools import pairwise
 from typing import Any, Literal, NamedTuple, Self
 
 import numpy as np
+from numpy.random import Generator
 
 from popsim.errors import GeometryError
 from popsim.geometry.arrays import FloatArray
@@ -24,6 +25,7 @@ from popsim.mechanisms.base import (
 from popsim.mechanisms.members import Members
 from popsim.mechanisms.pair import BasePatchPair, PairKind
 from popsim.mechanisms.primitive import Primitive, RectangularPrism
+from popsim.mechanisms.room import Room
 
 
 class Top(NamedTuple):
@@ -203,6 +205,12 @@ class BoxFold(Mechanism):
         x = (primitive.low[0], primitive.high[0])
         if pair.x[0] <= x[0] and x[1] <= pair.x[1] and 0 < half <= min(pair.reach) and height > 0:
             yield cls.plain(id, pair, half, height, x)
+
+    @classmethod
+    def random(cls, rng: Generator, pair: BasePatchPair, id: str, room: Room) -> Self | None:
+        from popsim.mechanisms.box_fold_random import random_box
+
+        return random_box(cls, rng, pair, id, room)
 
     def top_roles(self) -> list[tuple[str, str]]:
         """Roles of the ground and backdrop halves of each top."""

@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.random import Generator
 
 from popsim.geometry.arrays import FloatArray
 from popsim.geometry.frame import OPEN, X_AXIS, Z_AXIS, page_direction, skew_point
@@ -22,6 +23,7 @@ from popsim.mechanisms.condition import identity
 from popsim.mechanisms.members import Members
 from popsim.mechanisms.pair import BasePatchPair, PairKind
 from popsim.mechanisms.primitive import Primitive, RectangularPrism
+from popsim.mechanisms.room import LEAST, Room, draw, draw_interval
 
 
 @dataclass(frozen=True)
@@ -116,6 +118,17 @@ class StepFold(Mechanism):
         fits = pair.x[0] <= x[0] and x[1] <= pair.x[1] and 0 < s <= pair.reach[0] and 0 < h <= pair.reach[1]
         if fits and near <= pair.u + 1e-6 and primitive.low[2] <= pair.v + 1e-6:
             yield cls(id, pair, x, s, h)
+
+    @classmethod
+    def random(cls, rng: Generator, pair: BasePatchPair, id: str, room: Room) -> "StepFold | None":
+        low, high = room.within(*pair.x).x
+        left = room.extent - pair.u - pair.v
+        deep, tall = min(pair.reach[0], left - LEAST), min(pair.reach[1], left - LEAST)
+        if high - low < LEAST or deep < LEAST or tall < LEAST:
+            return None
+        x = draw_interval(rng, low, high)
+        s = draw(rng, LEAST, deep)
+        return cls(id, pair, x, s, draw(rng, LEAST, min(tall, left - s)))
 
     def _section(self) -> tuple[FloatArray, FloatArray, FloatArray]:
         """Hinge on the wall, hinge on the floor and common fold, open pose, each (3,) with x = 0."""

@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.random import Generator
 
 from popsim.geometry.arrays import FloatArray
 from popsim.geometry.frame import X_AXIS, Side, page_direction
@@ -22,6 +23,7 @@ from popsim.mechanisms.condition import Condition, identity
 from popsim.mechanisms.members import Members
 from popsim.mechanisms.pair import BasePatchPair, PairKind
 from popsim.mechanisms.primitive import Primitive, TriangularPrism
+from popsim.mechanisms.room import LEAST, Room, draw, draw_interval
 
 
 @dataclass(frozen=True)
@@ -116,6 +118,17 @@ class TentFold(Mechanism):
         x, height = (primitive.low[0], primitive.high[0]), primitive.high[2] - pair.v
         if pair.x[0] <= x[0] and x[1] <= pair.x[1] and 0 < t1 <= min(pair.reach) and height > 0:
             yield cls(id, pair, x, t1, height)
+
+    @classmethod
+    def random(cls, rng: Generator, pair: BasePatchPair, id: str, room: Room) -> "TentFold | None":
+        low, high = room.within(*pair.x).x
+        left = room.extent - pair.v
+        most = min(*pair.reach, left / 3)
+        if high - low < LEAST or most < LEAST:
+            return None
+        x = draw_interval(rng, low, high)
+        t1 = draw(rng, LEAST, most)
+        return cls(id, pair, x, t1, draw(rng, t1 / 4, float(np.sqrt((left - t1) ** 2 - t1**2))))
 
 
 Z_ROW = np.array([[0.0, 0.0, 1.0]])

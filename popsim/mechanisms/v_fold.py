@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import ClassVar, Literal, Self
 
 import numpy as np
+from numpy.random import Generator
 
 from popsim.errors import GeometryError
 from popsim.geometry.arrays import FloatArray
@@ -23,6 +24,7 @@ from popsim.mechanisms.base import (
 from popsim.mechanisms.members import Members
 from popsim.mechanisms.pair import BasePatchPair, PairKind
 from popsim.mechanisms.primitive import Primitive
+from popsim.mechanisms.room import LEAST, Room, draw
 from popsim.mechanisms.v_fold_parts import Part, Walls, find_roof, find_walls
 
 SIDES = ((Side.GROUND, "L", "G"), (Side.BACKDROP, "R", "B"))
@@ -103,7 +105,8 @@ class VFold(Mechanism):
         frames = {}
         for side, wall, half in SIDES:
             frames[f"F_{wall}"] = Frame(0 * edge + self.foot, self.wall_direction(side, theta), edge)
-            frames[f"T_{half}"] = Frame(self.foot + self.height * edge, along, page_direction(side, theta))
+            if self.roof:
+                frames[f"T_{half}"] = Frame(self.foot + self.height * edge, along, page_direction(side, theta))
         return frames
 
     def pairs(self) -> tuple[BasePatchPair, ...]:
@@ -142,6 +145,21 @@ class VFold(Mechanism):
             extra = sorted(set(members.record.patches) - set(roles))
             return Recognition.unlike(members.id, f"no place in a {cls.type} for {', '.join(extra)}")
         return Recognition(fold, tuple(c for part in found for c in part.conditions), roles)
+
+    @classmethod
+    def random(cls, rng: Generator, pair: BasePatchPair, id: str, room: Room) -> Self | None:
+        facing: Literal[1, -1] = 1 if rng.random() < 0.5 else -1
+        feet, free = (sorted(facing * end for end in ends) for ends in (room.within(*pair.x).x, room.x))
+        left = room.extent - pair.v
+        least_rise = LEAST / np.sqrt(2)
+        front = min(feet[1], free[1] - least_rise)
+        widest = min((front - feet[0]) / cls.depth, min(pair.reach) * np.sqrt(2), (left - least_rise) / np.sqrt(2))
+        if widest < LEAST:
+            return None
+        width = draw(rng, LEAST, widest)
+        tip = draw(rng, feet[0] + cls.depth * width, front)
+        height = draw(rng, LEAST, min((free[1] - tip) * np.sqrt(2), left * np.sqrt(2) - 2 * width))
+        return cls(id, pair, facing * tip, width, height, facing, bool(rng.random() < 0.7))
 
     @abstractmethod
     def find_rest(self, members: Members, walls: Walls) -> tuple[Self, list[Part]] | str:
