@@ -1,0 +1,13 @@
+"""Abstraction of a model into prisms on base patch pairs, and their mapping to mechanisms (Sec. 4.1, 4.2).
+
+The model is read as a volume: a cell of space is *solid* unless it is seen from outside along an axis, which
+needs neither closed nor clean meshes. Prisms are then placed one after another, each where it gains most: solid
+cells it covers, less empty cells it covers, less a price for each patch. A prism stands on a base patch pair that
+an earlier one offers, so that constraints 1 to 3 hold by construction, and it is accepted only if the whole
+design still meets every condition of :mod:`popsim.validity`.
+"""
+
+from popsim.fitting.fit import Fit, FitSettings, fit
+from popsim.fitting.volume import Volume, measure_volume
+
+__all__ = ["Fit", "FitSettings", "Volume", "fit", "measure_volume"]

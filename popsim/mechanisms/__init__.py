@@ -11,7 +11,7 @@ from popsim.mechanisms.base import Joint, Mechanism, Plate, Recognition
 from popsim.mechanisms.condition import Condition
 from popsim.mechanisms.members import Members
 from popsim.mechanisms.pair import BasePatchPair, PairKind, card_pair
-from popsim.mechanisms.primitive import RectangularPrism, TriangularPrism
+from popsim.mechanisms.primitive import Primitive, PrismRow, RectangularPrism, TriangularPrism
 from popsim.mechanisms.registry import MECHANISMS, mechanism_type
 from popsim.mechanisms.room import Room
 
@@ -24,6 +24,8 @@ __all__ = [
     "Members",
     "PairKind",
     "Plate",
+    "Primitive",
+    "PrismRow",
     "Recognition",
     "RectangularPrism",
     "Room",

@@ -1,18 +1,20 @@
 """From mechanisms to a design: pages, patches with ids, hinges."""
 
 import json
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 
 from popsim.design import BACKDROP_ID, GROUND_ID, Card, Design, Hinge, MechanismRecord, Patch
 from popsim.design.model import Point, TextureFrame
 from popsim.design.rules import check_rules
+from popsim.errors import DesignError
 from popsim.geometry.arrays import FloatArray
 from popsim.geometry.plane import area_vector
-from popsim.mechanisms.base import Joint, Mechanism, Plate
+from popsim.mechanisms.attach import held_stretches, lie_apart
+from popsim.mechanisms.base import Mechanism, Plate
 
 DECIMALS = 9
 """Coordinates are written to a picometre: beyond what matters, and the same on every machine."""
@@ -57,15 +59,15 @@ def assemble(
     Raises
     ------
     DesignError
-        The result breaks a rule of the format, e.g. a mechanism stands beside its base patches.
+        The result breaks a rule of the format, e.g. a mechanism stands beside its base patches, or the shapes of
+        two patches leave nothing of a hinge between them.
     """
     shapes = shapes or {}
     parts = list(mechanisms)
     patches, hinges = _pages(card, shapes)
     for mechanism in parts:
         patches += [_patch(mechanism, plate, shapes) for plate in mechanism.plates()]
-        for joint in mechanism.joints():
-            hinges.append(_hinge(f"h{len(hinges)}", mechanism, joint))
+    hinges += _hinges(parts, {patch.id: patch for patch in patches}, shapes)
     records = tuple(_record(mechanism) for mechanism in parts)
     design = Design(card=card, patches=tuple(patches), hinges=tuple(hinges), mechanisms=records, **extra)
     check_rules(design)
@@ -115,11 +117,50 @@ def _shaped(name: str, mechanism: str | None, role: str, shape: Shape) -> Patch:
     )
 
 
-def _hinge(name: str, mechanism: Mechanism, joint: Joint) -> Hinge:
-    first, second = (mechanism.patch_id(role) for role in joint.roles)
-    axis = as_points(joint.axis)
-    crease = None if joint.crease is None else as_points(joint.crease[None])[0]
-    return Hinge(id=name, patches=(first, second), axis=(axis[0], axis[1]), kind=joint.kind, crease=crease)
+def _hinges(
+    mechanisms: list[Mechanism], patches: Mapping[str, Patch], shapes: Mapping[str, Shape]
+) -> Iterator[Hinge]:
+    """All hinges but the central one; where contours leave gaps, several on one line (h7a, h7b, ...)."""
+    joints = [(mechanism, joint) for mechanism in mechanisms for joint in mechanism.joints()]
+    for number, (mechanism, joint) in enumerate(joints, 1):
+        names = tuple(mechanism.patch_id(role) for role in joint.roles)
+        if not shapes.keys() & set(names):
+            yield _hinge(f"h{number}", names, joint.axis, joint.kind, joint.crease)
+            continue
+        first, second = (_known(name, patches, mechanism) for name in names)
+        stretches = held_stretches(joint.axis, first, second)
+        if not stretches:
+            raise DesignError(
+                f"hinges (h{number}): the outlines of {names[0]} and {names[1]} do not meet on their common line; "
+                "let both reach it"
+            )
+        kind = joint.kind if lie_apart(joint.axis, first, second) else "glue"
+        for letter, axis in zip(_letters(len(stretches)), stretches, strict=True):
+            yield _hinge(f"h{number}{letter}", names, axis, kind, joint.crease)
+
+
+def _known(name: str, patches: Mapping[str, Patch], mechanism: Mechanism) -> Patch:
+    if name not in patches:
+        raise DesignError(f"mechanisms ({mechanism.id}): it stands on {name!r}, which no mechanism here makes")
+    return patches[name]
+
+
+def _letters(count: int) -> list[str]:
+    """Suffixes that keep several hinges on one line apart: none for a single one."""
+    return [""] if count == 1 else [f"{'abcdefghijklmnopqrstuvwxyz'[k % 26]}{k // 26 or ''}" for k in range(count)]
+
+
+def _hinge(
+    name: str, patches: tuple[str, ...], axis: FloatArray, kind: Literal["fold", "glue"], crease: FloatArray | None
+) -> Hinge:
+    ends = as_points(axis)
+    return Hinge(
+        id=name,
+        patches=(patches[0], patches[1]),
+        axis=(ends[0], ends[1]),
+        kind=kind,
+        crease=None if crease is None else as_points(crease[None])[0],
+    )
 
 
 def _record(mechanism: Mechanism) -> MechanismRecord:

@@ -24,7 +24,7 @@ from popsim.mechanisms.base import (
 )
 from popsim.mechanisms.members import Members
 from popsim.mechanisms.pair import BasePatchPair, PairKind
-from popsim.mechanisms.primitive import Primitive, RectangularPrism
+from popsim.mechanisms.primitive import Primitive, PrismRow, RectangularPrism
 from popsim.mechanisms.room import Room
 
 
@@ -199,12 +199,19 @@ class BoxFold(Mechanism):
 
     @classmethod
     def from_primitive(cls, primitive: Primitive, pair: BasePatchPair, id: str) -> Iterator[Self]:
-        if not isinstance(primitive, RectangularPrism) or primitive.turned or pair.kind is not cls.pair_kind:
+        if pair.kind is not cls.pair_kind:
             return
-        half, height = min(-primitive.low[1], primitive.high[1]), primitive.high[2] - pair.v
-        x = (primitive.low[0], primitive.high[0])
-        if pair.x[0] <= x[0] and x[1] <= pair.x[1] and 0 < half <= min(pair.reach) and height > 0:
-            yield cls.plain(id, pair, half, height, x)
+        if isinstance(primitive, RectangularPrism) and not primitive.turned:
+            half = min(-primitive.low[1], primitive.high[1])
+            tops = (Top(primitive.low[0], primitive.high[0], primitive.high[2] - pair.v),)
+        elif isinstance(primitive, PrismRow):
+            half, lift = primitive.half_width, primitive.base - pair.v
+            tops = tuple(Top(x0, x1, height + lift) for x0, x1, height in primitive.tops)
+        else:
+            return
+        within = pair.x[0] <= tops[0].x0 and tops[-1].x1 <= pair.x[1] and 0 < half <= min(pair.reach)
+        if within and min(top.height for top in tops) > 0:
+            yield cls.stepped(id, pair, half, tops)
 
     @classmethod
     def random(cls, rng: Generator, pair: BasePatchPair, id: str, room: Room) -> Self | None:

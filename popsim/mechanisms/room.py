@@ -30,6 +30,10 @@ class Room:
         """The part of it between two x."""
         return Room((max(self.x[0], low), min(self.x[1], high)), self.extent)
 
+    def mirrored(self) -> "Room":
+        """The same room seen along -x."""
+        return Room((-self.x[1], -self.x[0]), self.extent)
+
 
 def draw(rng: Generator, low: float, high: float) -> float:
     """Length between two limits, mm, to GRAIN decimals."""

@@ -149,16 +149,17 @@ class VFold(Mechanism):
     @classmethod
     def random(cls, rng: Generator, pair: BasePatchPair, id: str, room: Room) -> Self | None:
         facing: Literal[1, -1] = 1 if rng.random() < 0.5 else -1
-        feet, free = (sorted(facing * end for end in ends) for ends in (room.within(*pair.x).x, room.x))
+        free = room if facing == 1 else room.mirrored()
+        feet = free.within(*sorted(facing * end for end in pair.x)).x
         left = room.extent - pair.v
         least_rise = LEAST / np.sqrt(2)
-        front = min(feet[1], free[1] - least_rise)
+        front = min(feet[1], free.x[1] - least_rise)
         widest = min((front - feet[0]) / cls.depth, min(pair.reach) * np.sqrt(2), (left - least_rise) / np.sqrt(2))
         if widest < LEAST:
             return None
         width = draw(rng, LEAST, widest)
         tip = draw(rng, feet[0] + cls.depth * width, front)
-        height = draw(rng, LEAST, min((free[1] - tip) * np.sqrt(2), left * np.sqrt(2) - 2 * width))
+        height = draw(rng, LEAST, min((free.x[1] - tip) * np.sqrt(2), left * np.sqrt(2) - 2 * width))
         return cls(id, pair, facing * tip, width, height, facing, bool(rng.random() < 0.7))
 
     @abstractmethod

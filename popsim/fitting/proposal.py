@@ -1,0 +1,45 @@
+"""A prism that might be placed, and what it would gain."""
+
+from dataclasses import dataclass
+
+from popsim.mechanisms import BasePatchPair, Primitive
+
+
+@dataclass(frozen=True, eq=False)
+class Prices:
+    """What patches and columns cost, in solid cells.
+
+    Attributes
+    ----------
+    patch:
+        Price of a patch.
+    """
+
+    patch: float
+
+
+@dataclass(frozen=True, eq=False)
+class Proposal:
+    """A primitive on a base patch pair.
+
+    Attributes
+    ----------
+    primitive:
+        The primitive, card frame, mm.
+    pair:
+        Where it stands.
+    gain:
+        Cells gained, before any price.
+    cost:
+        Price of the patches it needs at the least.
+    """
+
+    primitive: Primitive
+    pair: BasePatchPair
+    gain: float
+    cost: float
+
+    @property
+    def profit(self) -> float:
+        """Gain less price."""
+        return self.gain - self.cost
