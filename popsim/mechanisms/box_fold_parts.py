@@ -1,7 +1,6 @@
 """Finding the parts of a box-fold among the patches of a design, and measuring how true they are."""
 
 from dataclasses import dataclass
-from itertools import pairwise
 from typing import Literal, TypeVar
 
 import numpy as np
@@ -70,10 +69,10 @@ def recognise_box(kind: type[Box], members: Members) -> Recognition:
     conditions = [*_side_conditions(members, tops, feet), *_pair_conditions(members, ends, feet)]
     v = members.pair.v
     profile = tuple(top.as_top(v) for top in tops)
-    gaps = [later.x0 - earlier.x1 for earlier, later in pairwise(profile)]
-    if not half > 0 or max(gaps, default=0.0) > ROUNDING:
+    if not half > 0:
         return Recognition(None, tuple(conditions))
-    box = kind(members.id, members.pair, half, _adjoining(profile), tuple(end.as_end_pair(v) for end in ends))
+    pairs = tuple(end.as_end_pair(v) for end in ends)
+    box = kind(members.id, members.pair, half, _adjoining(profile, pairs), pairs)
     conditions += _sweep_conditions(box)
     roles = {left: "L", right: "R", backbone: "C"}
     for names, own in zip(patches, [*box.top_roles(), *box.end_roles()], strict=True):
@@ -196,9 +195,13 @@ def _overlap(first: Hinge, second: Hinge) -> bool:
     return bool(min(a[1], b[1]) - max(a[0], b[0]) > ROUNDING)
 
 
-def _adjoining(tops: tuple[Top, ...]) -> tuple[Top, ...]:
-    """Tops whose ends coincide exactly, and neighbours of one height kept apart by rounding joined ends."""
+def _adjoining(tops: tuple[Top, ...], pairs: tuple[EndPair, ...]) -> tuple[Top, ...]:
+    """Tops whose ends coincide exactly: where contours leave a gap, at the end pair in it, else in its middle."""
     joined = [tops[0]]
     for top in tops[1:]:
-        joined.append(top._replace(x0=joined[-1].x1))
+        low, high = sorted((joined[-1].x1, top.x0))
+        steps = [pair.x for pair in pairs if low - ROUNDING <= pair.x <= high + ROUNDING]
+        border = steps[0] if steps else (low + high) / 2
+        joined[-1] = joined[-1]._replace(x1=border)
+        joined.append(top._replace(x0=border))
     return tuple(joined)

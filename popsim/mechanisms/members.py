@@ -48,10 +48,20 @@ class Members:
         return pair_of(self.design, self.record)
 
     @cached_property
+    def hinges(self) -> tuple[Hinge, ...]:
+        """Hinges at its own patches; several on one line, with gaps between them, stand as one."""
+        own = set(self.record.patches)
+        lines: dict[frozenset[str], list[Hinge]] = {}
+        for hinge in self.design.hinges:
+            if own.intersection(hinge.patches):
+                lines.setdefault(frozenset(hinge.patches), []).append(hinge)
+        return tuple(_as_one(hinges) for hinges in lines.values())
+
+    @cached_property
     def inner(self) -> tuple[Hinge, ...]:
         """Hinges between two of its own patches."""
         own = set(self.record.patches)
-        return tuple(hinge for hinge in self.design.hinges if own.issuperset(hinge.patches))
+        return tuple(hinge for hinge in self.hinges if own.issuperset(hinge.patches))
 
     def patch(self, name: str) -> Patch:
         """A patch of the design."""
@@ -60,7 +70,7 @@ class Members:
     def on_base(self, index: int) -> list[tuple[str, Hinge]]:
         """Own patches hinged to patch `index` of the pair, with the hinge."""
         base, own = self.pair.patches[index], set(self.record.patches)
-        return [(h.other(base), h) for h in self.design.hinges_by_patch[base] if h.other(base) in own]
+        return [(h.other(base), h) for h in self.hinges if base in h.patches and h.other(base) in own]
 
     def neighbours(self, name: str) -> Iterator[tuple[str, Hinge]]:
         """Own patches hinged to own patch `name`, with the hinge."""
@@ -69,8 +79,8 @@ class Members:
                 yield hinge.other(name), hinge
 
     def between(self, first: str, second: str) -> Hinge | None:
-        """The first hinge between two patches, or None."""
-        return next((h for h in self.design.hinges if set(h.patches) == {first, second}), None)
+        """The hinge between two patches, one of them its own, or None."""
+        return next((h for h in self.hinges if set(h.patches) == {first, second}), None)
 
     def extent_x(self) -> tuple[float, float]:
         """Least and greatest x of its patches in the open pose."""
@@ -81,6 +91,15 @@ class Members:
         """(u, v) of the middle of a hinge, shape (2,)."""
         _, y, z = hinge.points.mean(axis=0)
         return np.array([abs(y) - self.pair.u, z - self.pair.v])
+
+
+def _as_one(hinges: list[Hinge]) -> Hinge:
+    """One hinge from end to end of several on one line."""
+    if len(hinges) == 1:
+        return hinges[0]
+    ends = [end for hinge in hinges for end in hinge.axis]
+    along = np.array(ends) @ (hinges[0].points[1] - hinges[0].points[0])
+    return hinges[0].model_copy(update={"axis": (ends[int(along.argmin())], ends[int(along.argmax())])})
 
 
 def along_x(hinge: Hinge) -> bool:
