@@ -9,6 +9,7 @@ outside a mechanism's own file asks which mechanism it is: a new one is a new fi
 from popsim.mechanisms.assemble import Shape, assemble
 from popsim.mechanisms.base import Joint, Mechanism, Plate, Recognition
 from popsim.mechanisms.condition import Condition
+from popsim.mechanisms.fault import Fault
 from popsim.mechanisms.members import Members
 from popsim.mechanisms.pair import BasePatchPair, PairKind, card_pair
 from popsim.mechanisms.primitive import Primitive, PrismRow, RectangularPrism, TriangularPrism
@@ -19,6 +20,7 @@ __all__ = [
     "MECHANISMS",
     "BasePatchPair",
     "Condition",
+    "Fault",
     "Joint",
     "Mechanism",
     "Members",

@@ -14,6 +14,7 @@ from popsim.geometry.arrays import FloatArray, locked
 from popsim.geometry.frame import OPEN
 from popsim.geometry.rigid import Frame, motion_between, transform
 from popsim.mechanisms.condition import Condition
+from popsim.mechanisms.fault import Fault
 from popsim.mechanisms.members import Members
 from popsim.mechanisms.pair import BasePatchPair, PairKind
 from popsim.mechanisms.primitive import Primitive
@@ -158,6 +159,10 @@ class Mechanism(ABC):
         Campaigns of verification are made of these; they should cover all that the type can be. Moving pair and
         room along x moves the mechanism that the same numbers give.
         """
+
+    @abstractmethod
+    def faults(self) -> tuple[Fault, ...]:
+        """Ways to spoil it so that it does not fold; campaigns check that verification sees them."""
 
     def poses(self, theta: FloatArray) -> dict[str, FloatArray]:
         """Rigid motion of each plate from the open pose to fold angles theta (n,), shape (n, 4, 4), by role."""

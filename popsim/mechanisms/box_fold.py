@@ -22,6 +22,7 @@ from popsim.mechanisms.base import (
     rectangle,
     require_positive,
 )
+from popsim.mechanisms.fault import Fault
 from popsim.mechanisms.members import Members
 from popsim.mechanisms.pair import BasePatchPair, PairKind
 from popsim.mechanisms.primitive import Primitive, PrismRow, RectangularPrism
@@ -218,6 +219,11 @@ class BoxFold(Mechanism):
         from popsim.mechanisms.box_fold_random import random_box
 
         return random_box(cls, rng, pair, id, room)
+
+    def faults(self) -> tuple[Fault, ...]:
+        from popsim.mechanisms.box_fold_random import ridge_faults
+
+        return ridge_faults(self)
 
     def top_roles(self) -> list[tuple[str, str]]:
         """Roles of the ground and backdrop halves of each top."""

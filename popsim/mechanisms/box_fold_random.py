@@ -1,10 +1,13 @@
-"""Drawing box-folds by chance: plain and layered, with all or some of their end pairs."""
+"""Drawing box-folds by chance, plain and layered, with all or some of their end pairs; and spoiling them."""
 
 from typing import TypeVar
 
+import numpy as np
 from numpy.random import Generator
 
+from popsim.geometry.frame import Z_AXIS
 from popsim.mechanisms.box_fold import BoxFold, EndPair, Top, step_pairs
+from popsim.mechanisms.fault import Fault
 from popsim.mechanisms.pair import BasePatchPair
 from popsim.mechanisms.room import LEAST, Room, draw, draw_interval
 
@@ -27,6 +30,17 @@ def random_box(kind: type[Box], rng: Generator, pair: BasePatchPair, id: str, ro
     x = draw_interval(rng, low, high)
     tops = _random_tops(rng, x, half, draw(rng, LEAST, max(LEAST, 0.6 * (left - half))))
     return kind(id, pair, half, tops, _random_pairs(rng, step_pairs(tops)))
+
+
+def ridge_faults(box: BoxFold) -> tuple[Fault, ...]:
+    """A lower ridge for each top: a shorter backbone, longer tops."""
+    faults = []
+    for k, (top, roles) in enumerate(zip(box.tops, box.top_roles(), strict=True)):
+        lower = [other.height for other in box.tops[max(k - 1, 0) : k + 2] if other.height < top.height]
+        ridge = np.array([[x, 0.0, box.pair.v + top.height] for x in (top.x0, top.x1)])
+        most = (top.height - max(lower, default=0.0)) / 2
+        faults.append(Fault("b + r = c + t_b", (*roles, "C"), ridge, -Z_AXIS, most))
+    return tuple(faults)
 
 
 def _random_tops(rng: Generator, x: tuple[float, float], half: float, height: float) -> tuple[Top, ...]:

@@ -20,6 +20,7 @@ from popsim.mechanisms.base import (
     require_positive,
 )
 from popsim.mechanisms.condition import identity
+from popsim.mechanisms.fault import Fault
 from popsim.mechanisms.members import Members
 from popsim.mechanisms.pair import BasePatchPair, PairKind
 from popsim.mechanisms.primitive import Primitive, RectangularPrism
@@ -129,6 +130,11 @@ class StepFold(Mechanism):
         x = draw_interval(rng, low, high)
         s = draw(rng, LEAST, deep)
         return cls(id, pair, x, s, draw(rng, LEAST, min(tall, left - s)))
+
+    def faults(self) -> tuple[Fault, ...]:
+        wall, _, _ = self._section()
+        head = np.array([[x, *wall[1:]] for x in self.x])
+        return (Fault("|S2| = |S4|", ("tread",), head, -Z_AXIS, self.h / 2),)
 
     def _section(self) -> tuple[FloatArray, FloatArray, FloatArray]:
         """Hinge on the wall, hinge on the floor and common fold, open pose, each (3,) with x = 0."""

@@ -20,6 +20,7 @@ from popsim.mechanisms.base import (
     require_positive,
 )
 from popsim.mechanisms.condition import Condition, identity
+from popsim.mechanisms.fault import Fault
 from popsim.mechanisms.members import Members
 from popsim.mechanisms.pair import BasePatchPair, PairKind
 from popsim.mechanisms.primitive import Primitive, TriangularPrism
@@ -129,6 +130,10 @@ class TentFold(Mechanism):
         x = draw_interval(rng, low, high)
         t1 = draw(rng, LEAST, most)
         return cls(id, pair, x, t1, draw(rng, t1 / 4, float(np.sqrt((left - t1) ** 2 - t1**2))))
+
+    def faults(self) -> tuple[Fault, ...]:
+        foot = np.array([[x, -self.t1, self.pair.v] for x in self.x])
+        return (Fault("|T1| = |T2|", ("T_4",), foot, np.array([0.0, 1.0, 0.0]), self.t1 / 2),)
 
 
 Z_ROW = np.array([[0.0, 0.0, 1.0]])

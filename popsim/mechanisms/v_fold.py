@@ -21,6 +21,7 @@ from popsim.mechanisms.base import (
     Recognition,
     require_positive,
 )
+from popsim.mechanisms.fault import Fault
 from popsim.mechanisms.members import Members
 from popsim.mechanisms.pair import BasePatchPair, PairKind
 from popsim.mechanisms.primitive import Primitive
@@ -161,6 +162,12 @@ class VFold(Mechanism):
         tip = draw(rng, feet[0] + cls.depth * width, front)
         height = draw(rng, LEAST, min((free.x[1] - tip) * np.sqrt(2), left * np.sqrt(2) - 2 * width))
         return cls(id, pair, facing * tip, width, height, facing, bool(rng.random() < 0.7))
+
+    def faults(self) -> tuple[Fault, ...]:
+        corner = self.corner(Side.GROUND)
+        line = np.array([corner, corner + self.height * Z_AXIS])
+        roles = tuple(plate.role for plate in self.plates() if plate.role in ("F_L", "B_L", "T_G"))
+        return (Fault("walls at 45 degrees", roles, line, self.facing * X_AXIS, self.width / 3),)
 
     @abstractmethod
     def find_rest(self, members: Members, walls: Walls) -> tuple[Self, list[Part]] | str:
