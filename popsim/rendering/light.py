@@ -12,8 +12,8 @@ from popsim.geometry.arrays import FloatArray
 
 Image = npt.NDArray[np.float32]
 
-DOME, GROUND = 0.58, 0.42  # brightness of the dome above and of what the ground gives back
-KEY = 0.52  # brightness added by the key light
+DOME, GROUND = 0.64, 0.46  # brightness of the dome above and of what the ground gives back
+KEY = 0.55  # brightness added by the key light
 KEY_RIGHT, KEY_UP, KEY_EYE = -0.45, 0.75, 0.8  # where it stands, in the axes of the view
 GROUND_TINT = np.array([1.0, 0.985, 0.96], dtype=np.float32)  # what comes from below is a little warmer
 LINE = 0.32  # brightness left under a feature line

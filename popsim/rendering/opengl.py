@@ -1,8 +1,9 @@
 """Samples of a picture by OpenGL (pyrender, without a window): what is slow by rays, fast on a graphics card.
 
 OpenGL only finds out what is seen: one pass draws unlit colours, one draws normals as colours. Light, lines
-and shadows are those of all backends. Limits: the context belongs to the thread that draws first, and the
-card's own four samples per pixel blur the border between two surfaces by a fraction of a sample.
+and shadows are those of all backends. Limits: the context belongs to the thread that draws first; the card's
+own four samples per pixel blur the border between two surfaces by a fraction of a sample; borders of holes
+in a texture are as soft as its texels.
 """
 
 import os

@@ -10,6 +10,7 @@ import numpy.typing as npt
 from popsim.errors import GeometryError
 from popsim.geometry.arrays import BoolArray, FloatArray, IntArray
 from popsim.geometry.surface import Surface
+from popsim.geometry.weld import corner_numbers
 from popsim.rendering.face_planes import FacePlanes
 from popsim.rendering.paint import Paint
 from popsim.rendering.parallel import map_chunks
@@ -82,7 +83,7 @@ class RayScene:
         self.size: float = max(float(np.linalg.norm(high - low)) / 2, SMALLEST)
         self.tolerance = TOLERANCE * self.size
         self._planes = FacePlanes.of(surface.triangles - self._centre)
-        self._twins = TwinFaces.of(surface.triangles, self.normals, self.paint.holed)
+        self._twins = TwinFaces.of(corner_numbers(surface.triangles), self.normals, self.paint.holed)
         self._embree, self._mesh = self._build()
 
     @property

@@ -4,6 +4,7 @@ import numpy as np
 import numpy.typing as npt
 
 from popsim.geometry.arrays import FloatArray
+from popsim.geometry.weld import corner_numbers
 
 SMOOTH = float(np.cos(np.radians(40.0)))  # joints that turn by less look round
 MAX_FACES = 64  # around one corner; the rest of a fan of more adds nothing that is seen
@@ -20,9 +21,9 @@ def smooth_normals(triangles: FloatArray, normals: FloatArray) -> npt.NDArray[np
         Unit normals of the faces, shape (m, 3). Neighbours may be turned inside out.
     """
     count = len(triangles)
-    _, vertex = np.unique(triangles.reshape(-1, 3), axis=0, return_inverse=True)
-    order = np.argsort(vertex.ravel(), kind="stable")
-    per_vertex = np.bincount(vertex.ravel())
+    number = corner_numbers(triangles).ravel()
+    order = np.argsort(number, kind="stable")
+    per_vertex = np.bincount(number)
     first = np.repeat(np.cumsum(per_vertex) - per_vertex, per_vertex)
     degree = np.repeat(per_vertex, per_vertex)
     rank = np.arange(3 * count) - first

@@ -44,7 +44,8 @@ class Texture:
         first = [np.clip(np.floor(at).astype(np.int64) - 1, 0, n) for at, n in ((top, rows), (left, columns))]
         last = [np.clip(np.ceil(at).astype(np.int64) + 1, 0, n) for at, n in ((bottom, rows), (right, columns))]
         count = holes[last[0], last[1]] - holes[first[0], last[1]]
-        return count - holes[last[0], first[1]] + holes[first[0], first[1]] > 0
+        within: BoolArray = count - holes[last[0], first[1]] + holes[first[0], first[1]] > 0
+        return within
 
     def _level(self, level: int) -> UInt8Array:
         if level not in self._levels:

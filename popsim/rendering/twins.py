@@ -23,11 +23,20 @@ class TwinFaces:
     back: IntArray
 
     @classmethod
-    def of(cls, triangles: FloatArray, normals: FloatArray, holed: BoolArray) -> "TwinFaces":
-        """Return the different triangles of `triangles` (m, 3, 3); of twins, one without holes stands first."""
-        count = len(triangles)
-        _, vertex = np.unique(triangles.reshape(-1, 3), axis=0, return_inverse=True)
-        corners = np.sort(vertex.reshape(count, 3), axis=1)
+    def of(cls, numbers: IntArray, normals: FloatArray, holed: BoolArray) -> "TwinFaces":
+        """Return the different triangles of a surface; of twins, one without holes stands first.
+
+        Parameters
+        ----------
+        numbers:
+            Corners as :func:`popsim.geometry.weld.corner_numbers` counts them, shape (m, 3).
+        normals:
+            Of the faces, shape (m, 3).
+        holed:
+            Faces that may have holes, shape (m,).
+        """
+        count = len(numbers)
+        corners = np.sort(numbers, axis=1)
         order = np.lexsort((np.arange(count), holed, corners[:, 2], corners[:, 1], corners[:, 0]))
         ordered = corners[order]
         new = np.ones(count, dtype=bool)
