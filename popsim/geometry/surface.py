@@ -79,6 +79,11 @@ class Surface:
         corners = self.triangles.reshape(-1, 3)
         return np.array([corners.min(axis=0), corners.max(axis=0)])
 
+    def bare(self) -> "Surface":
+        """Return the shape alone: no texture, no colours, and nothing transparent."""
+        white = Material(np.ones(4))
+        return Surface(self.triangles, self.uv, np.zeros_like(self.material), (white,))
+
     def transformed(self, matrix: FloatArray) -> "Surface":
         """Return the surface moved by the homogeneous `matrix` (4, 4); mirrors swap the corner order."""
         moved = self.triangles @ matrix[:3, :3].T + matrix[:3, 3]

@@ -81,8 +81,8 @@ def srgb(linear: FloatArray) -> FloatArray:
 def _pbr_colour(source: Any, linear: bool) -> FloatArray:
     factor = source.baseColorFactor
     colour = PAPER_WHITE.copy() if factor is None else _rgba(np.asarray(factor))
-    if source.alphaMode in (None, "OPAQUE"):
-        colour[3] = 1.0  # glTF 2.0, 3.9.6: alpha is ignored
+    if source.alphaMode in (None, "OPAQUE") or colour[3] == 0:
+        colour[3] = 1.0  # glTF 2.0, 3.9.6: alpha is ignored; and nobody means 0, which some exporters write
     return srgb(colour) if linear else colour
 
 
