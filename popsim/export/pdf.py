@@ -1,0 +1,100 @@
+"""PDF of sheets at true scale, one page each; the only place that imports reportlab."""
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from popsim.export.styles import Colour, Style
+from popsim.export.textures import read_texture
+from popsim.geometry.arrays import FloatArray
+from popsim.layout.sheet import Area, Line, Mark, Picture, Role, Sheet, Text
+
+POINTS = 72 / 25.4
+"""Points in a millimetre."""
+
+FONT, BOLD = "Vera", "VeraBd"
+"""Bitstream Vera Sans comes with reportlab and is embedded, so that every printer shows the same."""
+
+
+def write_pdf(
+    sheets: tuple[Sheet, ...], path: Path, style: Style, texture_root: Path, title: str
+) -> tuple[Path, ...]:
+    """Write all sheets into one file; the same sheets give the same bytes."""
+    from reportlab.pdfgen.canvas import Canvas
+
+    _register_fonts()
+    canvas = Canvas(str(path), invariant=1, pageCompression=1, initialFontName="Helvetica")
+    canvas.setTitle(title)
+    canvas.setCreator("popsim")
+    canvas.setViewerPreference("PrintScaling", "None")
+    for sheet in sheets:
+        canvas.setPageSize((sheet.width * POINTS, sheet.height * POINTS))
+        for mark in sheet.marks:
+            _draw(canvas, mark, style, texture_root)
+        canvas.showPage()
+    canvas.save()
+    return (path,)
+
+
+def _register_fonts() -> None:
+    from reportlab.pdfbase.pdfmetrics import getRegisteredFontNames, registerFont
+    from reportlab.pdfbase.ttfonts import TTFont
+
+    for name in (FONT, BOLD):
+        if name not in getRegisteredFontNames():
+            registerFont(TTFont(name, f"{name}.ttf"))
+
+
+def _draw(canvas: Any, mark: Mark, style: Style, texture_root: Path) -> None:
+    canvas.saveState()
+    match mark:
+        case Line():
+            stroke = style.stroke(mark.looks or mark.role)
+            canvas.setStrokeColorRGB(*stroke.colour)
+            canvas.setLineWidth(stroke.width * POINTS)
+            canvas.setDash([dash * POINTS for dash in stroke.dashes])
+            canvas.drawPath(_path(canvas, (mark.points,), mark.closed), stroke=1, fill=0)
+        case Area():
+            canvas.setFillColorRGB(*_fill(mark.looks or mark.role, style))
+            canvas.drawPath(_path(canvas, mark.rings), stroke=0, fill=1, fillMode=0)
+        case Text():
+            _text(canvas, mark, style)
+        case Picture():
+            canvas.clipPath(_path(canvas, mark.clip), stroke=0, fill=0, fillMode=0)
+            _picture(canvas, mark, texture_root)
+    canvas.restoreState()
+
+
+def _fill(role: Role, style: Style) -> Colour:
+    return style.glue if role is Role.GLUE else style.stroke(role).colour
+
+
+def _path(canvas: Any, rings: tuple[FloatArray, ...], closed: bool = True) -> Any:
+    path = canvas.beginPath()
+    for ring in rings:
+        points = ring * POINTS
+        path.moveTo(*points[0])
+        for point in points[1:]:
+            path.lineTo(*point)
+        if closed:
+            path.close()
+    return path
+
+
+def _text(canvas: Any, mark: Text, style: Style) -> None:
+    canvas.setFillColorRGB(*style.stroke(mark.role).colour)
+    canvas.setFont(BOLD if mark.bold else FONT, mark.size * POINTS)
+    canvas.translate(*(mark.at * POINTS))
+    canvas.rotate(float(np.degrees(mark.angle)))
+    draw = {"start": canvas.drawString, "middle": canvas.drawCentredString, "end": canvas.drawRightString}
+    draw[mark.anchor](0, 0, mark.text)
+
+
+def _picture(canvas: Any, mark: Picture, texture_root: Path) -> None:
+    from reportlab.lib.utils import ImageReader
+
+    frame = mark.frame.copy()
+    frame[:2] *= POINTS
+    canvas.transform(frame[0, 0], frame[1, 0], frame[0, 1], frame[1, 1], frame[0, 2], frame[1, 2])
+    canvas.drawImage(ImageReader(read_texture(texture_root, mark.image)), 0, 0, 1, 1, mask="auto")

@@ -1,0 +1,244 @@
+"""Flaps for all joints that are no folds: which part carries each, how it is shaped, where it lands (Sec. 4.4).
+
+All is planned before pieces are placed on sheets. For each stretch of each glue joint every site is tried: the
+flap is trimmed to stay off its own piece and its other flaps, and inside its target, off what else lands or stands
+there. The site that leaves most of the flap wins, a hidden one first.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from popsim.geometry.arrays import FloatArray
+from popsim.geometry.flat import inverse, left_of, move, move_shape
+from popsim.layout.contact import BESIDE, Contact, contacts
+from popsim.layout.flap_shape import APART, CLEARANCE, crease_span, trapezoid, trimmed
+from popsim.layout.folding import Crease, into
+from popsim.layout.joints import Joint
+from popsim.layout.nets import Net
+from popsim.layout.parts import Part
+from popsim.layout.settings import LayoutSettings
+from popsim.layout.sites import Face, Site, sites
+
+if TYPE_CHECKING:
+    from shapely.geometry import Polygon
+    from shapely.geometry.base import BaseGeometry
+
+ENOUGH = (0.7, 0.35, 0.1)
+"""Shares of the full flap; a site with more beats one with less, whatever else speaks for it."""
+
+
+@dataclass(frozen=True, eq=False)
+class Flap:
+    """A flap as it is cut, and the place where it is glued.
+
+    Attributes
+    ----------
+    joint:
+        What it holds together.
+    carrier, target:
+        Ids of the part it is cut with and of the part it is glued to.
+    polygon:
+        Its outline in the carrier's flat coordinates.
+    line:
+        Where it meets the carrier, ends in the carrier's flat coordinates, shape (2, 2).
+    crease:
+        How it folds along that line, seen from the printed side.
+    landing:
+        Where it is glued, in the target's flat coordinates (seen from the printed side, whatever the face).
+    face:
+        Which face of the target is glued.
+    glue_on_print:
+        Whether the glue goes on the flap's printed side.
+    """
+
+    joint: Joint
+    carrier: str
+    target: str
+    polygon: "Polygon"
+    line: FloatArray
+    crease: Crease
+    landing: "Polygon"
+    face: Face
+    glue_on_print: bool
+
+
+class Task(NamedTuple):
+    """One stretch of a glue joint, with the sites that it can choose from."""
+
+    joint: Joint
+    stretch: int
+    choices: tuple[Site, ...]
+
+
+def plan_flaps(
+    parts: Mapping[str, Part], joints: tuple[Joint, ...], nets: tuple[Net, ...], settings: LayoutSettings
+) -> tuple[tuple[Flap, ...], tuple[Joint, ...]]:
+    """Return the flaps of all joints that are no folds of `nets`, in their order, and the joints left over.
+
+    A joint is left over where no flap of use fits on any side.
+    """
+    bench = _Bench(parts, joints, nets)
+    folded = {joint.id for net in nets for joint in net.folds}
+    tasks = [
+        Task(joint, k, tuple(bench.sites(joint, k)))
+        for joint in joints
+        if joint.id not in folded
+        for k in range(len(joint.stretches))
+    ]
+    found: dict[tuple[str, int], Flap] = {}
+    for task in sorted(tasks, key=lambda task: len({site.carrier.id for site in task.choices})):
+        flap = bench.place(task.choices, settings)
+        if flap is not None:
+            found[task.joint.id, task.stretch] = flap
+    flaps = tuple(found[key] for task in tasks if (key := (task.joint.id, task.stretch)) in found)
+    held = {flap.joint.id for flap in flaps}
+    left = {task.joint.id: task.joint for task in tasks if task.joint.id not in held}
+    return flaps, tuple(left.values())
+
+
+class _Bench:
+    """What lies where while flaps are planned: paper per net, landings per face of each part."""
+
+    def __init__(self, parts: Mapping[str, Part], joints: tuple[Joint, ...], nets: tuple[Net, ...]) -> None:
+        self.parts = parts
+        self.net_of = {name: net for net in nets for name in net.motions}
+        self.seen: dict[tuple[str, str], tuple[Contact, ...]] = {
+            (joint.id, name): contacts(joint, parts[name]) for joint in joints for name in joint.parts
+        }
+        self.paper: dict[str, list[tuple[str, BaseGeometry]]] = {}
+        for net in nets:
+            own = [(name, move_shape(motion, parts[name].polygon)) for name, motion in net.motions.items()]
+            self.paper |= dict.fromkeys(net.motions, own)
+        self.landed: dict[tuple[str, Face], list[BaseGeometry]] = {}
+        self.standing: dict[tuple[str, Face], list[FloatArray]] = {}
+        for joint in joints:
+            for name in joint.parts:
+                self._stand(joint, name)
+
+    def sites(self, joint: Joint, stretch: int) -> list[Site]:
+        first, second = joint.parts
+        seen = (self.seen[joint.id, first][stretch], self.seen[joint.id, second][stretch])
+        free = (self._is_free(first, seen[0]), self._is_free(second, seen[1]))
+        alone = (self._is_alone(joint, first, seen[0]), self._is_alone(joint, second, seen[1]))
+        return list(sites(joint, stretch, (self.parts[first], self.parts[second]), seen, free, alone))
+
+    def place(self, choices: tuple[Site, ...], settings: LayoutSettings) -> Flap | None:
+        """The best flap among `choices`, which then takes up its room; None where nothing of use fits."""
+        options = []
+        for order, site in enumerate(choices):
+            deep = site.joint.hinge is None or site.joint.hinge.kind == "central"
+            full = trapezoid(site.length, settings.seam_depth if deep else settings.flap_depth)
+            shape = trimmed(full, self._blocked(site, full), self._allowed(site, full))
+            if shape is None or shape.area < ENOUGH[-1] * full.area:
+                continue
+            share = sum(shape.area < enough * full.area for enough in ENOUGH)
+            crowd = len(self.net_of[site.carrier.id].motions)
+            options.append(((share, site.rank, crowd, -round(shape.area, 3), order), site, shape))
+        if not options:
+            return None
+        _, site, shape = min(options, key=lambda option: option[0])
+        return self._keep(site, shape)
+
+    def _keep(self, site: Site, shape: "Polygon") -> Flap:
+        low, high = crease_span(shape)
+        landing = move_shape(site.on_target, shape)
+        polygon = move_shape(site.on_carrier, shape)
+        net = self.net_of[site.carrier.id]
+        self.paper[site.carrier.id].append(
+            (f"flap {site.joint.id}", move_shape(net.motions[site.carrier.id], polygon))
+        )
+        self.landed.setdefault((site.target.id, site.face), []).append(landing)
+        return Flap(
+            joint=site.joint,
+            carrier=site.carrier.id,
+            target=site.target.id,
+            polygon=polygon,
+            line=move(site.on_carrier, np.array([[low, 0.0], [high, 0.0]])),
+            crease=site.crease,
+            landing=landing,
+            face=site.face,
+            glue_on_print=site.glue_on_print,
+        )
+
+    def _is_free(self, name: str, contact: Contact) -> bool:
+        """Whether a contact is a cut edge of the net: nothing else of the net lies beyond it."""
+        from shapely.geometry import Polygon
+
+        if not contact.is_edge:
+            return False
+        across = BESIDE * left_of(contact.ends) * (-1 if contact.left else 1)
+        strip = Polygon([contact.ends[0], contact.ends[1], contact.ends[1] + across, contact.ends[0] + across])
+        moved = move_shape(self.net_of[name].motions[name], strip)
+        return all(
+            moved.intersection(shape).area < moved.area / 2 for other, shape in self.paper[name] if other != name
+        )
+
+    def _is_alone(self, joint: Joint, name: str, contact: Contact) -> bool:
+        """Whether no other joint holds the part along a contact, so that a flap can go round its edge."""
+        from shapely.geometry import LineString
+
+        line = LineString(contact.ends)
+        return not any(
+            line.buffer(BESIDE).intersection(LineString(own.ends)).length > 2 * BESIDE
+            for (other, part), stretches in self.seen.items()
+            if part == name and other != joint.id
+            for own in stretches
+        )
+
+    def _blocked(self, site: Site, full: "Polygon") -> "BaseGeometry":
+        """Where the carrier's own piece has paper, in strip coordinates."""
+        import shapely
+
+        name = site.carrier.id
+        to_strip = inverse(self.net_of[name].motions[name] @ site.on_carrier)
+        near = full.buffer(2 * APART)
+        blocked = []
+        for other, shape in self.paper[name]:
+            moved = move_shape(to_strip, shape)
+            if moved.intersects(near):
+                blocked.append(_above(moved.buffer(APART), 2 * APART) if other == name else moved.buffer(APART))
+        return shapely.unary_union(blocked)
+
+    def _allowed(self, site: Site, full: "Polygon") -> "BaseGeometry":
+        """Where the target's face is free, in strip coordinates."""
+        import shapely
+
+        to_strip = inverse(site.on_target)
+        target = move_shape(to_strip, site.target.polygon)
+        rim = _off_line(target.boundary).buffer(CLEARANCE)
+        key = (site.target.id, site.face)
+        landed = [move_shape(to_strip, shape).buffer(APART) for shape in self.landed.get(key, [])]
+        lines = [move(to_strip, line) for line in self.standing.get(key, [])]
+        standing = [shapely.LineString(line).buffer(CLEARANCE) for line in lines if np.abs(line[:, 1]).max() > 0.1]
+        return target.difference(shapely.unary_union([rim, *landed, *standing])).intersection(full.envelope)
+
+    def _stand(self, joint: Joint, name: str) -> None:
+        """Remember the lines on which other parts stand inside a face of part `name`."""
+        if joint.hinge is None:
+            return
+        part, other = self.parts[name], self.parts[joint.other(name)]
+        pairs = zip(self.seen[joint.id, name], self.seen[joint.id, other.id], strict=True)
+        for own, theirs in pairs:
+            if own.left and own.right:
+                side = float(part.plane.normal @ into(other, theirs))
+                face = Face.PRINTED if side > 0 else Face.REVERSE
+                self.standing.setdefault((name, face), []).append(own.ends)
+
+
+def _above(shape: "BaseGeometry", height: float) -> "BaseGeometry":
+    """`shape` without the band of +-`height` about the line of the flap."""
+    from shapely.geometry import box
+
+    low, bottom, high, top = shape.bounds
+    return shape.difference(box(low - 1, -height, high + 1, height)) if bottom < top else shape
+
+
+def _off_line(boundary: "BaseGeometry") -> "BaseGeometry":
+    """A boundary without what runs along the line of the flap."""
+    from shapely.geometry import box
+
+    low, _, high, _ = boundary.bounds
+    return boundary.difference(box(low - 1, -0.1, high + 1, 0.1))

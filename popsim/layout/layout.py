@@ -1,0 +1,122 @@
+"""A layout: all pieces of a design, and where they lie on the sheets."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from popsim.design import Design
+from popsim.geometry.arrays import FloatArray
+from popsim.geometry.flat import flat_motion
+from popsim.layout.errors import LayoutError
+from popsim.layout.flaps import Flap, plan_flaps
+from popsim.layout.joints import Joint, find_joints
+from popsim.layout.nesting import nest
+from popsim.layout.nets import find_nets
+from popsim.layout.paper import Paper, find_paper
+from popsim.layout.parts import Part
+from popsim.layout.pieces import Piece, make_pieces
+from popsim.layout.settings import LayoutSettings
+from popsim.layout.split import divide
+
+
+@dataclass(frozen=True, eq=False)
+class Placement:
+    """A piece on a sheet: index of the sheet and the flat motion (3, 3) from piece to sheet coordinates.
+
+    Sheet coordinates are mm from the lower left corner of the paper, y up.
+    """
+
+    piece: Piece
+    sheet: int
+    motion: FloatArray
+
+
+@dataclass(frozen=True, eq=False)
+class Layout:
+    """What is cut, folded and glued.
+
+    Attributes
+    ----------
+    paper, settings:
+        What it was made for.
+    parts, joints:
+        The rigid bits of paper, by id, and all lines where they meet.
+    pieces:
+        What is cut, in the order of the design.
+    numbers:
+        Number printed at both sides of each glue joint, by joint id.
+    placements:
+        Where the pieces lie, in their order.
+    """
+
+    paper: Paper
+    settings: LayoutSettings
+    parts: Mapping[str, Part]
+    joints: tuple[Joint, ...]
+    pieces: tuple[Piece, ...]
+    numbers: Mapping[str, int]
+    placements: tuple[Placement, ...] = field(default=())
+
+    @property
+    def sheet_count(self) -> int:
+        """Number of sheets."""
+        return max((placement.sheet for placement in self.placements), default=-1) + 1
+
+    @property
+    def flaps(self) -> tuple[Flap, ...]:
+        """All flaps, piece by piece."""
+        return tuple(flap for piece in self.pieces for flap in piece.flaps)
+
+    @property
+    def piece_of(self) -> dict[str, Piece]:
+        """The piece that holds each part, by part id."""
+        return {part: piece for piece in self.pieces for part in piece.motions}
+
+
+def lay_out(design: Design, *, paper: str | Paper = "A4", settings: LayoutSettings | None = None) -> Layout:
+    """Lay a design out on sheets of paper (Sec. 4.4): pieces, flaps, places.
+
+    Parameters
+    ----------
+    design:
+        Only its patches, hinges and textures are read.
+    paper:
+        A format or its name.
+    settings:
+        Sizes and choices; None for the usual ones.
+
+    Raises
+    ------
+    LayoutError
+        The paper is unknown, or the design does not go onto it; the message states the scale that would fit.
+    """
+    settings = settings or LayoutSettings()
+    paper = paper if isinstance(paper, Paper) else find_paper(paper)
+    room = settings.area(paper)
+    listed = divide(design, paper, settings)
+    parts = {part.id: part for part in listed}
+    joints = find_joints(design, listed)
+    nets = find_nets(listed, joints, room, 2 * settings.flap_depth)
+    flaps, left = plan_flaps(parts, joints, nets, settings)
+    if left:
+        raise LayoutError(
+            f"{left[0].id}: no flap fits between {left[0].parts[0]} and {left[0].parts[1]}; "
+            "make the hinge longer or give the patches more room beside it"
+        )
+    pieces = make_pieces(parts, nets, flaps)
+    return Layout(paper, settings, parts, joints, pieces, _numbers(joints, flaps), _place(pieces, room, settings))
+
+
+def _numbers(joints: tuple[Joint, ...], flaps: tuple[Flap, ...]) -> dict[str, int]:
+    glued = {flap.joint.id for flap in flaps}
+    return {joint.id: k for k, joint in enumerate((j for j in joints if j.id in glued), 1)}
+
+
+def _place(
+    pieces: tuple[Piece, ...], room: tuple[float, float], settings: LayoutSettings
+) -> tuple[Placement, ...]:
+    names = [piece.name for piece in pieces]
+    places = nest([piece.outline for piece in pieces], names, room, settings.gap, settings.grain)
+    corner = flat_motion(0.0, settings.corner)
+    return tuple(
+        Placement(piece, place.sheet, corner @ place.motion) for piece, place in zip(pieces, places, strict=True)
+    )

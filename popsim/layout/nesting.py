@@ -1,0 +1,202 @@
+"""Nesting pieces on sheets: first fit on a raster, all places of a sheet tried at once by convolution.
+
+Pieces go largest first. For each the sheets are searched in order, and on a sheet the lowest, then leftmost place
+of all its turns. The raster covers every piece grown by half the gap and half a cell, so what is free on the
+raster is free on paper; shapely has the last word.
+"""
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from popsim.geometry.arrays import BoolArray, FloatArray
+from popsim.geometry.flat import flat_motion, move_shape
+from popsim.layout.errors import LayoutError
+
+if TYPE_CHECKING:
+    from shapely.geometry import Polygon
+
+CELL = 1.0
+"""mm; side of a raster cell."""
+
+Spectrum = npt.NDArray[np.complex128]
+
+
+class Place(NamedTuple):
+    """Where a shape goes: index of the sheet, flat motion (3, 3) into the area's coordinates."""
+
+    sheet: int
+    motion: FloatArray
+
+
+@dataclass(frozen=True, eq=False)
+class _Turned:
+    """A shape at one angle: the motion that brings its grown raster to the origin, and the raster (rows are y)."""
+
+    motion: FloatArray
+    mask: BoolArray
+
+
+def nest(
+    shapes: list["Polygon"], names: list[str], room: tuple[float, float], gap: float, grain: bool
+) -> list[Place]:
+    """Place all shapes without overlap on as few sheets as first fit finds.
+
+    Parameters
+    ----------
+    names:
+        What errors call the shapes.
+    room:
+        Width and height of the usable area of a sheet, mm.
+    gap:
+        Least distance between two shapes, mm.
+    grain:
+        Turn by half turns only.
+
+    Raises
+    ------
+    LayoutError
+        A shape exceeds the area at every angle.
+    """
+    slack = _growth(gap)  # grown shapes may reach over the area's rim
+    size = (int((room[1] + 2 * slack) // CELL), int((room[0] + 2 * slack) // CELL))
+    sheets: list[_Sheet] = []
+    places: dict[int, Place] = {}
+    for index in sorted(range(len(shapes)), key=lambda k: (-shapes[k].area, k)):
+        turns = [turned for turned in _turns(shapes[index], room, gap, grain) if _within(turned.mask, size)]
+        if not turns:
+            raise _too_large(shapes[index], names[index], room)
+        places[index] = _put(turns, sheets, size, slack)
+    found = [places[k] for k in range(len(shapes))]
+    _judge(shapes, names, found, room, gap)
+    return found
+
+
+def _growth(gap: float) -> float:
+    """Half the gap, and the half diagonal of a cell: a cell that a shape touches then has its centre inside."""
+    return gap / 2 + CELL * float(np.sqrt(0.5))
+
+
+class _Sheet:
+    """What is taken on a sheet, with its spectrum for convolutions."""
+
+    def __init__(self, size: tuple[int, int]) -> None:
+        self.taken: BoolArray = np.zeros(size, dtype=bool)
+        self.spectrum: Spectrum | None = None
+
+    def lowest(self, turned: "_Turned", spectrum: Spectrum) -> tuple[int, int] | None:
+        """Row and column of the lowest, then leftmost place where the raster of `turned` hits nothing."""
+        from scipy import fft
+
+        rows, columns = self.taken.shape[0] - turned.mask.shape[0], self.taken.shape[1] - turned.mask.shape[1]
+        if not self.taken.any():
+            return 0, 0
+        if self.spectrum is None:
+            self.spectrum = _spectrum(self.taken, self.taken.shape)
+        hits = fft.irfft2(self.spectrum * spectrum.conj(), s=_padded(self.taken.shape))[: rows + 1, : columns + 1]
+        free = np.argwhere(hits < 0.5)
+        return (int(free[0][0]), int(free[0][1])) if len(free) else None
+
+    def take(self, row: int, column: int, mask: BoolArray) -> None:
+        self.taken[row : row + mask.shape[0], column : column + mask.shape[1]] |= mask
+        self.spectrum = None
+
+
+def _padded(size: tuple[int, ...]) -> tuple[int, int]:
+    from scipy import fft
+
+    return fft.next_fast_len(size[0], real=True), fft.next_fast_len(size[1], real=True)
+
+
+def _spectrum(mask: BoolArray, size: tuple[int, ...]) -> Spectrum:
+    """Spectrum of a raster; circular convolution is exact for places where the raster stays within `size`."""
+    from scipy import fft
+
+    return np.asarray(fft.rfft2(mask.astype(np.float64), s=_padded(size)))
+
+
+def _put(turns: list[_Turned], sheets: list[_Sheet], size: tuple[int, int], slack: float) -> Place:
+    spectra = [_spectrum(turned.mask, size) for turned in turns]
+    least = min(int(turned.mask.sum()) for turned in turns)
+    for number in range(len(sheets) + 1):
+        if number == len(sheets):
+            sheets.append(_Sheet(size))
+        sheet = sheets[number]
+        if sheet.taken.size - int(sheet.taken.sum()) < least:
+            continue
+        tries = (sheet.lowest(turned, spectrum) for turned, spectrum in zip(turns, spectra, strict=True))
+        spots = [(spot, k) for k, spot in enumerate(tries) if spot is not None]
+        if spots:
+            (row, column), k = min(spots)
+            sheet.take(row, column, turns[k].mask)
+            return Place(number, flat_motion(0.0, (column * CELL - slack, row * CELL - slack)) @ turns[k].motion)
+    raise AssertionError("a shape that goes on an empty sheet was not placed on one")
+
+
+def _turns(shape: "Polygon", room: tuple[float, float], gap: float, grain: bool) -> list[_Turned]:
+    """The shape at its own angle and along its smallest rectangle, each turned by quarters (or halves)."""
+    angles = [0.0]
+    corners = np.array(shape.minimum_rotated_rectangle.exterior.coords)
+    longest = max(np.diff(corners[:3], axis=0), key=lambda side: (round(float(np.linalg.norm(side)), 6), side[0]))
+    aslant = float(np.arctan2(longest[1], longest[0])) % (np.pi / 2)
+    if not grain and min(aslant, np.pi / 2 - aslant) > 1e-3:
+        angles.append(-aslant)
+    quarters = (0, 2) if grain else (0, 1, 2, 3)
+    return [_turned(shape, angle, quarter, gap) for angle in angles for quarter in quarters]
+
+
+def _turned(shape: "Polygon", angle: float, quarter: int, gap: float) -> _Turned:
+    motion = flat_motion(angle + quarter * np.pi / 2)
+    moved = move_shape(motion, shape)
+    grown = moved.buffer(_growth(gap), quad_segs=4)
+    low_x, low_y, high_x, high_y = grown.bounds
+    mask = _raster(
+        grown, (low_x, low_y), (int(np.ceil((high_y - low_y) / CELL)), int(np.ceil((high_x - low_x) / CELL)))
+    )
+    return _Turned(flat_motion(0.0, (-low_x, -low_y)) @ motion, mask)
+
+
+def _raster(shape: "Polygon", low: tuple[float, float], size: tuple[int, int]) -> BoolArray:
+    """Cells whose centre lies in `shape`, shape `size` (rows, columns)."""
+    import shapely
+
+    shapely.prepare(shape)
+    y, x = np.meshgrid(*((np.arange(n) + 0.5) * CELL for n in size), indexing="ij")
+    return np.asarray(shapely.contains_xy(shape, x + low[0], y + low[1]))
+
+
+def _within(mask: BoolArray, size: tuple[int, ...]) -> bool:
+    return bool(mask.shape[0] <= size[0] and mask.shape[1] <= size[1])
+
+
+def _too_large(shape: "Polygon", name: str, room: tuple[float, float]) -> LayoutError:
+    low_x, low_y, high_x, high_y = shape.bounds
+    size = sorted((high_x - low_x, high_y - low_y))
+    scale = np.floor(1000 * min(have / want for have, want in zip(sorted(room), size, strict=True))) / 1000
+    return LayoutError(
+        f"piece {name} measures {size[0]:.1f} x {size[1]:.1f} mm with its flaps, more than the {room[0]:.0f} x "
+        f"{room[1]:.0f} mm within the margins; scale the design by {scale:.3f} or less, or use larger paper"
+    )
+
+
+def _judge(
+    shapes: list["Polygon"], names: list[str], places: list[Place], room: tuple[float, float], gap: float
+) -> None:
+    """Raise LayoutError if shapes come closer than `gap` or leave the area: the raster would be at fault."""
+    import shapely
+
+    area = shapely.box(0, 0, *room).buffer(1e-6)
+    for sheet in range(max((place.sheet for place in places), default=-1) + 1):
+        own = [k for k, place in enumerate(places) if place.sheet == sheet]
+        moved = [move_shape(places[k].motion, shapes[k]) for k in own]
+        tree = shapely.STRtree(moved)
+        near = tree.query(moved, predicate="dwithin", distance=gap - 1e-6)
+        clash = [(own[a], own[b]) for a, b in near.T if a < b]
+        outside = [own[k] for k, shape in enumerate(moved) if not area.contains(shape)]
+        if clash or outside:
+            pair = clash[0] if clash else (outside[0], outside[0])
+            raise LayoutError(
+                f"pieces {names[pair[0]]} and {names[pair[1]]} were nested wrongly; report this design"
+            )

@@ -1,0 +1,68 @@
+"""What can be chosen about a layout."""
+
+from dataclasses import dataclass
+
+from popsim.layout.errors import LayoutError
+from popsim.layout.paper import Paper
+
+FOOTER = 17.0
+"""mm above the lower margin kept for legend, scale bar, page number and reproduction line."""
+
+HEADER = 6.0
+"""mm below the upper margin kept for the title and the banner."""
+
+
+@dataclass(frozen=True)
+class LayoutSettings:
+    """Sizes in mm.
+
+    Attributes
+    ----------
+    margin:
+        White border that printers cannot reach.
+    gap:
+        Least distance between two pieces on a sheet.
+    flap_depth:
+        Of a flap where nothing is in its way; never more than half its edge.
+    seam_depth:
+        Of the flap that joins the parts of a patch too large for the sheet.
+    split:
+        Divide patches too large for the sheet; else they are refused.
+    grain:
+        Keep the direction of the paper's grain: pieces are turned by half turns only.
+    """
+
+    margin: float = 10.0
+    gap: float = 3.0
+    flap_depth: float = 5.0
+    seam_depth: float = 10.0
+    split: bool = True
+    grain: bool = False
+
+    def __post_init__(self) -> None:
+        for name in ("margin", "gap", "flap_depth", "seam_depth"):
+            value = getattr(self, name)
+            if not 0 < value <= 50:
+                raise LayoutError(f"{name} must lie above 0 and up to 50 mm, not {value:g}")
+
+    def area(self, paper: Paper) -> tuple[float, float]:
+        """Width and height that pieces may use on `paper`, mm.
+
+        Raises
+        ------
+        LayoutError
+            The margins leave nothing.
+        """
+        width = paper.width - 2 * self.margin
+        height = paper.height - 2 * self.margin - HEADER - FOOTER
+        if min(width, height) < 20:
+            raise LayoutError(
+                f"margins of {self.margin:g} mm leave {width:.0f} x {height:.0f} mm of {paper.name}; "
+                "use smaller margins or larger paper"
+            )
+        return width, height
+
+    @property
+    def corner(self) -> tuple[float, float]:
+        """Lower left corner of that area on the sheet, mm from the lower left corner of the paper."""
+        return self.margin, self.margin + FOOTER

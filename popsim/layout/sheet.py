@@ -1,0 +1,118 @@
+"""A sheet as recorded drawing primitives with roles, for every export format to replay.
+
+Coordinates are mm from the lower left corner of the paper, y up, at true scale.
+"""
+
+from dataclasses import dataclass
+from enum import Enum
+from typing import Literal
+
+from popsim.geometry.arrays import FloatArray, locked
+
+Anchor = Literal["start", "middle", "end"]
+
+
+class Role(Enum):
+    """What a mark means; the value names its layer."""
+
+    PRINT = "print"
+    GLUE = "glue"
+    CUT = "cut"
+    MOUNTAIN = "mountain"
+    VALLEY = "valley"
+    LABEL = "label"
+    REGISTRATION = "registration"
+
+
+@dataclass(frozen=True, eq=False)
+class Line:
+    """A polyline (n, 2); `closed` joins its end to its start.
+
+    `looks` draws it as lines of another role look without being one: samples in the legend are not cut.
+    """
+
+    role: Role
+    points: FloatArray
+    closed: bool = False
+    looks: Role | None = None
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "points", locked(self.points, (None, 2), "line"))
+
+
+@dataclass(frozen=True, eq=False)
+class Area:
+    """A filled area: rings (n, 2), even-odd."""
+
+    role: Role
+    rings: tuple[FloatArray, ...]
+    looks: Role | None = None
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "rings", tuple(locked(ring, (None, 2), "area") for ring in self.rings))
+
+
+@dataclass(frozen=True, eq=False)
+class Text:
+    """A line of text at its baseline: `size` of the font and `at` (2,) in mm, `angle` in radians."""
+
+    role: Role
+    text: str
+    at: FloatArray
+    size: float
+    angle: float = 0.0
+    anchor: Anchor = "start"
+    bold: bool = False
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "at", locked(self.at, (2,), "text"))
+
+
+@dataclass(frozen=True, eq=False)
+class Picture:
+    """An image clipped to rings (even-odd).
+
+    Attributes
+    ----------
+    image:
+        Path relative to the folder of the textures.
+    frame:
+        Matrix (3, 3) from the unit square (lower left to upper right of the image) to the sheet.
+    clip:
+        Rings, each (n, 2).
+    """
+
+    role: Role
+    image: str
+    frame: FloatArray
+    clip: tuple[FloatArray, ...]
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "frame", locked(self.frame, (3, 3), "picture frame"))
+        object.__setattr__(self, "clip", tuple(locked(ring, (None, 2), "clip") for ring in self.clip))
+
+
+Mark = Line | Area | Text | Picture
+
+
+@dataclass(frozen=True, eq=False)
+class Sheet:
+    """One side of a sheet of paper: its size in mm, and marks in drawing order."""
+
+    name: str
+    width: float
+    height: float
+    marks: tuple[Mark, ...]
+
+    def of(self, *roles: Role) -> tuple[Mark, ...]:
+        """The marks of some roles, in drawing order."""
+        return tuple(mark for mark in self.marks if mark.role in roles)
+
+
+TEXT_WIDTH = 0.62
+"""Width of a letter in font sizes, a little above the mean of the sans font that is embedded."""
+
+
+def text_width(text: str, size: float) -> float:
+    """Estimated width of a text, mm."""
+    return TEXT_WIDTH * size * len(text)

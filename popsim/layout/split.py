@@ -1,0 +1,124 @@
+"""Dividing patches that exceed the sheet, along straight lines, for a flap under the seam to join again."""
+
+from math import ceil, inf
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from popsim.design import Design
+from popsim.geometry.arrays import FloatArray
+from popsim.layout.errors import LayoutError
+from popsim.layout.paper import Paper
+from popsim.layout.parts import Part, whole
+from popsim.layout.settings import LayoutSettings
+
+if TYPE_CHECKING:
+    from shapely.geometry import Polygon
+
+MOST_PARTS = 16
+"""A patch that needs more is refused: nobody glues a poster from handkerchiefs."""
+
+CANDIDATES = 25
+"""Places tried for each seam."""
+
+CROSSING = 20.0
+"""mm of seam that crossing one hinge is worth."""
+
+
+def divide(design: Design, paper: Paper, settings: LayoutSettings) -> tuple[Part, ...]:
+    """Return the parts of all patches, in the order of the design.
+
+    Raises
+    ------
+    LayoutError
+        A patch exceeds the sheet and may not be divided, or only into too many parts.
+    """
+    parts: list[Part] = []
+    room = settings.area(paper)
+    for patch in design.patches:
+        part = whole(patch)
+        if fits(part.polygon, room, 2 * settings.flap_depth):
+            parts.append(part)
+            continue
+        lines = [part.flat(hinge.points) for hinge in design.hinges_by_patch[patch.id]]
+        polygons = _cut(part.polygon, room, settings.flap_depth + settings.seam_depth, lines)
+        if not settings.split or len(polygons) > MOST_PARTS:
+            raise _too_large(part, paper, settings, len(polygons))
+        parts += [Part(f"{part.id}/{k}", patch, part.plane, p) for k, p in enumerate(polygons, 1)]
+    return tuple(parts)
+
+
+def fits(polygon: "Polygon", room: tuple[float, float], allowance: float) -> bool:
+    """Whether `polygon` and `allowance` mm for flaps go into `room`, upright, turned by 90 degrees or aslant."""
+    low_u, low_v, high_u, high_v = polygon.bounds
+    sizes = [(high_u - low_u, high_v - low_v), aslant(polygon)]
+    return any(
+        max(size) + allowance <= max(room) and min(size) + allowance <= min(room) and min(size) > 0
+        for size in sizes
+    )
+
+
+def aslant(polygon: "Polygon") -> tuple[float, float]:
+    """Sides of the smallest rectangle around `polygon`, at any angle."""
+    corners = np.array(polygon.minimum_rotated_rectangle.exterior.coords)
+    return float(np.linalg.norm(corners[1] - corners[0])), float(np.linalg.norm(corners[2] - corners[1]))
+
+
+def _too_large(part: Part, paper: Paper, settings: LayoutSettings, count: int) -> LayoutError:
+    low_u, low_v, high_u, high_v = part.polygon.bounds
+    size = sorted((high_u - low_u, high_v - low_v))
+    room = [side - 2 * settings.flap_depth for side in sorted(settings.area(paper))]
+    scale = np.floor(1000 * min(room[0] / size[0], room[1] / size[1])) / 1000
+    why = f"it would take {count} parts" if settings.split else "dividing it is switched off"
+    return LayoutError(
+        f"{part.patch.id} measures {size[0]:.1f} x {size[1]:.1f} mm, more than {paper.name} holds within its "
+        f"margins, and {why}; scale the design by {scale:.3f} or less, or use larger paper"
+    )
+
+
+def _cut(
+    polygon: "Polygon", room: tuple[float, float], allowance: float, lines: list[FloatArray]
+) -> list["Polygon"]:
+    """Divide until every part fits; seams run along the flat axes."""
+    if fits(polygon, room, allowance):
+        return [polygon]
+    low = np.array(polygon.bounds[:2])
+    size = np.array(polygon.bounds[2:]) - low
+    limits = min(
+        (np.array(side) - allowance for side in (room, room[::-1])),
+        key=lambda limit: ceil(size[0] / limit[0]) * ceil(size[1] / limit[1]),
+    )
+    counts = np.ceil(size / limits)
+    axis = int(counts[1] > counts[0])
+    rest = (counts[axis] - 1) * limits[axis]
+    places = low[axis] + np.linspace(max(size[axis] - rest, 0), min(limits[axis], size[axis]), CANDIDATES)
+    middle = low[axis] + size[axis] / counts[axis]
+    place = min(places, key=lambda p: (_cost(polygon, axis, p, lines) + 0.2 * abs(p - middle), p))
+    halves = _halves(polygon, axis, float(place))
+    return [piece for half in halves for piece in _cut(half, room, allowance, lines)]
+
+
+def _cost(polygon: "Polygon", axis: int, place: float, lines: list[FloatArray]) -> float:
+    """Length of the seam at `place`, and more for each hinge that it crosses."""
+    from shapely.geometry import LineString
+
+    ends = np.full((2, 2), place)
+    ends[:, 1 - axis] = polygon.bounds[1 - axis], polygon.bounds[3 - axis]
+    crossed = sum((line[0, axis] - place) * (line[1, axis] - place) < 0 for line in lines)
+    return float(polygon.intersection(LineString(ends)).length + CROSSING * crossed)
+
+
+def _halves(polygon: "Polygon", axis: int, place: float) -> list["Polygon"]:
+    import shapely
+    from shapely.geometry import Polygon, box
+
+    bounds = list(polygon.bounds)
+    pieces = []
+    for end in (axis, 2 + axis):
+        window = [bounds[0] - 1, bounds[1] - 1, bounds[2] + 1, bounds[3] + 1]
+        window[2 + axis if end == axis else axis] = place
+        found = shapely.get_parts(polygon.intersection(box(*window)))
+        pieces += [piece for piece in found if isinstance(piece, Polygon) and piece.area > 0]
+    if len(pieces) < 2:  # a place at the rim cuts nothing off: halve instead of going on for ever
+        return _halves(polygon, axis, (bounds[axis] + bounds[2 + axis]) / 2) if -inf < place < inf else pieces
+    return [shapely.orient_polygons(piece) for piece in pieces]
