@@ -1,0 +1,80 @@
+"""The outline of a patch is one polygon: islands are joined or dropped, small holes filled."""
+
+from typing import TYPE_CHECKING
+
+from popsim.patches.clean import GRAIN, polygons, simplified, straightened
+from popsim.patches.piece import Piece
+from popsim.patches.settings import PatchSettings
+
+if TYPE_CHECKING:
+    from shapely.geometry import Polygon
+    from shapely.geometry.base import BaseGeometry
+
+NEAR = 4.0
+"""mm; islands nearer than this are joined by a bridge."""
+
+WORTHY = 20.0
+"""mm^2; islands below this are dropped without a bridge, and below its half without a note."""
+
+BRIDGE = 3.0
+"""mm; width of bridges."""
+
+
+def finished(piece: Piece, settings: PatchSettings) -> tuple["Polygon", list[str]]:
+    """The outline of a patch, ready to cut, and what had to be changed in it.
+
+    Where nothing is left it is the face.
+    """
+    from shapely import set_precision, union_all
+
+    shape = union_all([simplified(piece.shape, settings), *piece.held])
+    shape = straightened(shape, piece.face, settings.snap)
+    outline, notes = _one_piece(polygons(shape), piece)
+    if outline is None:
+        return piece.face, [f"{piece.id}: the model does not show on it; it is the plain face"]
+    exact = polygons(set_precision(outline, GRAIN))
+    return _without_small_holes(exact[0], piece, settings), notes
+
+
+def _one_piece(parts: list["Polygon"], piece: Piece) -> tuple["Polygon | None", list[str]]:
+    if not parts:
+        return None, []
+    main, notes = parts[0], []
+    for island in parts[1:]:
+        needed = any(strip.intersection(island).area > 0 for strip in piece.held)
+        if needed or (island.area >= WORTHY and island.distance(main) <= NEAR):
+            main = _joined(main, island, piece)
+        elif island.area >= WORTHY / 2:
+            notes.append(f"{piece.id}: an island of {island.area:.0f} mm² is left out")
+    return main, notes
+
+
+def _joined(main: "Polygon", island: "Polygon", piece: Piece) -> "Polygon":
+    """Two polygons joined by a bridge, or by all of the face between them."""
+    from shapely import shortest_line
+
+    bridge = shortest_line(main, island).buffer(BRIDGE / 2, cap_style="square").intersection(piece.room)
+    for link in (bridge, main.union(island).convex_hull.intersection(piece.face), piece.face):
+        parts = polygons(_union(main, island, link))
+        if len(parts) == 1:
+            return parts[0]
+    return main
+
+
+def _union(*shapes: "BaseGeometry") -> "BaseGeometry":
+    from shapely import union_all
+
+    return union_all(list(shapes), grid_size=GRAIN)
+
+
+def _without_small_holes(outline: "Polygon", piece: Piece, settings: PatchSettings) -> "Polygon":
+    """`outline` counterclockwise, with the holes that can be cut; patches inside have none."""
+    from shapely.geometry import Polygon
+    from shapely.geometry.polygon import orient
+
+    holes = [ring for ring in outline.interiors if piece.plate.principal and _can_be_cut(Polygon(ring), settings)]
+    return orient(Polygon(outline.exterior, holes))
+
+
+def _can_be_cut(hole: "Polygon", settings: PatchSettings) -> bool:
+    return not hole.buffer(-settings.thinnest / 2).is_empty

@@ -1,0 +1,144 @@
+"""From mechanisms and a model to patches with contours and prints (Sec. 4.3)."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from popsim.errors import GeometryError
+from popsim.geometry.arrays import FloatArray, locked
+from popsim.geometry.surface import Surface
+from popsim.mechanisms import Mechanism, Shape
+from popsim.patches.clean import cuttable
+from popsim.patches.crossing import uncross
+from popsim.patches.hold import Run, hold
+from popsim.patches.one_piece import finished
+from popsim.patches.piece import Piece, pieces_of
+from popsim.patches.settings import PatchSettings
+from popsim.patches.texture import print_of
+from popsim.patches.wanted import wanted
+from popsim.rendering.ray_scene import RayScene
+
+if TYPE_CHECKING:
+    from shapely.geometry import Polygon
+
+RENDERER = "rays"
+"""Patches are always seen by rays: exact depths on every machine, with or without OpenGL."""
+
+FOLDER = "textures"
+
+
+@dataclass(frozen=True, eq=False)
+class Painted:
+    """Contours and prints of patches.
+
+    Attributes
+    ----------
+    shapes:
+        Outline, holes and texture by patch id, for :func:`popsim.mechanisms.assemble`.
+    images:
+        PNG files by path relative to the design file.
+    notes:
+        What had to be added or left out, one sentence each.
+    renderer:
+        What looked at the model.
+    cut_length:
+        Length of all outlines and holes, mm; edges that will be folded count too.
+    vertices:
+        Number of corners of all outlines and holes.
+    """
+
+    shapes: Mapping[str, Shape]
+    images: Mapping[str, bytes]
+    notes: tuple[str, ...]
+    renderer: str
+    cut_length: float
+    vertices: int
+
+
+def paint(
+    mechanisms: Sequence[Mechanism],
+    surface: Surface | RayScene,
+    territories: Mapping[str, FloatArray],
+    settings: PatchSettings | None = None,
+) -> Painted:
+    """Cut and paint the patches of mechanisms after a model.
+
+    Parameters
+    ----------
+    mechanisms:
+        Each stands on the card or on an earlier one.
+    surface:
+        The model in the card frame, mm, open pose; or the scene prepared from it.
+    territories:
+        Box of space whose model belongs to each mechanism, rows low and high, shape (2, 3), by mechanism id.
+    settings:
+        How to cut and paint.
+
+    Raises
+    ------
+    GeometryError
+        A mechanism has no territory.
+    """
+    settings = settings or PatchSettings()
+    scene = surface if isinstance(surface, RayScene) else RayScene(surface)
+    pieces: dict[str, Piece] = {}
+    for mechanism in mechanisms:
+        box = _territory(mechanism, territories)
+        pieces |= {piece.id: piece for piece in pieces_of(mechanism, box, settings)}
+    for piece in pieces.values():
+        piece.shape = cuttable(wanted(scene, piece, settings), piece.room, settings)
+    notes = _joined(mechanisms, pieces, settings)
+    outlines: dict[str, Polygon] = {}
+    for name, piece in pieces.items():
+        outlines[name], own = finished(piece, settings)
+        notes += own
+    return _painted(scene, pieces, outlines, notes, settings)
+
+
+def _territory(mechanism: Mechanism, territories: Mapping[str, FloatArray]) -> FloatArray:
+    if mechanism.id not in territories:
+        raise GeometryError(f"{mechanism.id} has no territory; give the box of space whose model it shows")
+    return locked(territories[mechanism.id], (2, 3), f"territory of {mechanism.id}")
+
+
+def _joined(mechanisms: Sequence[Mechanism], pieces: Mapping[str, Piece], settings: PatchSettings) -> list[str]:
+    """Paper for all hinges, and no two patches through each other; returns notes."""
+    notes: list[str] = []
+    for mechanism in mechanisms:
+        for joint in mechanism.joints():
+            names = [mechanism.patch_id(role) for role in joint.roles]
+            runs = [Run.of(pieces[name], joint.axis) for name in names if name in pieces]
+            if len(runs) == 2:
+                uncross(runs[0], runs[1])
+            if hold(runs, settings):
+                notes.append(f"{' and '.join(names)}: strips of the face reach for their hinge")
+    return notes
+
+
+def _painted(
+    scene: RayScene,
+    pieces: Mapping[str, Piece],
+    outlines: Mapping[str, "Polygon"],
+    notes: list[str],
+    settings: PatchSettings,
+) -> Painted:
+    shapes, images = {}, {}
+    for name, piece in pieces.items():
+        outline = outlines[name]
+        rings = [piece.plane.lift(np.array(ring.coords)[:-1]) for ring in (outline.exterior, *outline.interiors)]
+        path = frame = None
+        seen = print_of(scene, piece, outline, settings) if piece.plate.principal else None
+        if seen is not None:
+            path, frame = f"{FOLDER}/{name}.png", seen[1]
+            images[path] = seen[0]
+        shapes[name] = Shape(rings[0], tuple(rings[1:]), path, frame)
+    return Painted(
+        shapes=shapes,
+        images=images,
+        notes=tuple(notes),
+        renderer=RENDERER,
+        cut_length=float(sum(outline.length for outline in outlines.values())),
+        vertices=sum(len(s.outline) + sum(len(hole) for hole in s.holes) for s in shapes.values()),
+    )

@@ -1,0 +1,60 @@
+"""A plate while its outline is being cut: everything in the flat coordinates of its plane."""
+
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+from popsim.geometry.arrays import FloatArray
+from popsim.geometry.plane import Plane
+from popsim.mechanisms import Mechanism, Plate
+from popsim.patches.settings import PatchSettings
+
+if TYPE_CHECKING:
+    from shapely.geometry import Polygon
+    from shapely.geometry.base import BaseGeometry
+
+
+@dataclass(eq=False)
+class Piece:
+    """A plate and the outline it has so far.
+
+    Attributes
+    ----------
+    id:
+        Of the patch.
+    plate:
+        The plate.
+    plane:
+        Its plane, with the normal outward: flat coordinates are seen from outside.
+    face, room:
+        Face and room of the plate, flat.
+    box:
+        Part of space whose model belongs to it, rows low and high, shape (2, 3).
+    shape:
+        The outline so far: any number of polygons, possibly none.
+    held:
+        Paper at the hinges, which must stay.
+    """
+
+    id: str
+    plate: Plate
+    plane: Plane
+    face: "Polygon"
+    room: "Polygon"
+    box: FloatArray
+    shape: "BaseGeometry"
+    held: list["BaseGeometry"] = field(default_factory=list)
+
+
+def pieces_of(mechanism: Mechanism, box: FloatArray, settings: PatchSettings) -> list[Piece]:
+    """The plates of a mechanism, with nothing cut yet."""
+    from shapely.geometry import Polygon
+
+    pieces = []
+    for plate in mechanism.plates():
+        name = mechanism.patch_id(plate.role)
+        plane = Plane.facing(plate.outward, plate.outline[0])
+        face = Polygon(plane.flat(plate.outline))
+        allowed = plate.outline if plate.room is None or name in settings.within_face else plate.room
+        room = Polygon(plane.flat(allowed)).union(face)
+        pieces.append(Piece(name, plate, plane, face, room, box, Polygon()))
+    return pieces

@@ -1,0 +1,59 @@
+"""What decides how patches are cut and painted."""
+
+from dataclasses import dataclass, field
+
+from popsim.errors import InputError
+
+MM_PER_INCH = 25.4
+
+
+@dataclass(frozen=True)
+class PatchSettings:
+    """How patches are cut and painted.
+
+    Attributes
+    ----------
+    dpi:
+        Resolution of the textures.
+    pixel:
+        Side of the pixels in which silhouettes are found, mm.
+    tolerance:
+        How far an outline may deviate from the silhouette, mm.
+    thinnest:
+        Paper and holes narrower than this are not cut, mm.
+    snap:
+        A silhouette nearer than this to a hinge reaches it, mm.
+    least_share, least_length:
+        A hinge holds where it has this share of its line and this length, mm (or all of a shorter line).
+    bleed:
+        How far the print reaches beyond the cut, mm.
+    within_face:
+        Ids of patches that must stay within their faces: what verification found in the way.
+    """
+
+    dpi: float = 300.0
+    pixel: float = 0.25
+    tolerance: float = 0.3
+    thinnest: float = 2.0
+    snap: float = 1.5
+    least_share: float = 0.25
+    least_length: float = 6.0
+    bleed: float = 1.5
+    within_face: frozenset[str] = field(default_factory=frozenset)
+
+    def __post_init__(self) -> None:
+        if not 30 <= self.dpi <= 1200:
+            raise InputError(f"textures need 30 to 1200 dpi, not {self.dpi:g}")
+        for name in ("pixel", "tolerance", "thinnest", "snap", "least_length"):
+            if not getattr(self, name) > 0:
+                raise InputError(f"patch setting {name} must be positive, not {getattr(self, name):g} mm")
+        if not 0 < self.least_share <= 1 or self.bleed < 0:
+            raise InputError(
+                f"a hinge needs a share in (0, 1] and a bleed of at least 0 mm, not {self.least_share:g} and "
+                f"{self.bleed:g}"
+            )
+
+    @property
+    def print_pixel(self) -> float:
+        """Side of a printed pixel, mm."""
+        return MM_PER_INCH / self.dpi

@@ -1,0 +1,169 @@
+"""What a plate sees of the model: parallel rays onto its plane, within a box of space (Sec. 4.3)."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from popsim.geometry.arrays import BoolArray, FloatArray, IntArray, UInt8Array
+from popsim.geometry.plane import Plane
+from popsim.rendering.edges import feature_edges
+from popsim.rendering.light import LINE, Light, facing
+from popsim.rendering.parallel import map_chunks
+from popsim.rendering.ray_scene import RayScene
+from popsim.rendering.texture import Colours
+
+PARALLEL = 1e-12
+"""A direction with a component below this never leaves a slab of that axis."""
+
+
+@dataclass(frozen=True, eq=False)
+class Grid:
+    """Square pixels in the flat coordinates of a plane; row 0 is the upper one.
+
+    Attributes
+    ----------
+    plane:
+        Its normal points to the eye.
+    low:
+        Lower left corner, shape (2,).
+    pixel:
+        Side of a pixel, mm.
+    shape:
+        Rows and columns.
+    """
+
+    plane: Plane
+    low: FloatArray
+    pixel: float
+    shape: tuple[int, int]
+
+    @staticmethod
+    def over(plane: Plane, bounds: tuple[float, float, float, float], pixel: float) -> "Grid":
+        """The grid over flat bounds (left, lower, right, upper)."""
+        low, high = np.array(bounds[:2]), np.array(bounds[2:])
+        columns, rows = np.maximum(np.ceil((high - low) / pixel - 1e-6), 1).astype(int)
+        return Grid(plane, low, pixel, (int(rows), int(columns)))
+
+    def centres(self) -> FloatArray:
+        """Flat coordinates of the centres of all pixels, row by row, shape (rows * columns, 2)."""
+        rows, columns = self.shape
+        u = self.low[0] + (np.arange(columns) + 0.5) * self.pixel
+        v = self.low[1] + (rows - np.arange(rows) - 0.5) * self.pixel
+        return np.stack(np.broadcast_arrays(u[None, :], v[:, None]), axis=-1).reshape(-1, 2)
+
+    def flat(self, rows_columns: FloatArray) -> FloatArray:
+        """Flat coordinates of (row, column) positions, where pixel centres are whole numbers; shape (n, 2)."""
+        row, column = np.asarray(rows_columns, float).T
+        u = self.low[0] + (column + 0.5) * self.pixel
+        return np.column_stack([u, self.low[1] + (self.shape[0] - row - 0.5) * self.pixel])
+
+
+@dataclass(frozen=True, eq=False)
+class Sight:
+    """What each pixel of a grid sees.
+
+    Attributes
+    ----------
+    grid:
+        The pixels.
+    depth:
+        Behind the plane, mm; infinite where nothing is seen, shape (rows, columns).
+    face, bary:
+        Face of the scene, -1 where nothing is seen, and barycentric coordinates there, by pixel.
+    """
+
+    grid: Grid
+    depth: FloatArray
+    face: IntArray
+    bary: FloatArray
+
+    @property
+    def mask(self) -> BoolArray:
+        """Where something is seen, shape (rows, columns)."""
+        return np.isfinite(self.depth)
+
+
+def look(scene: RayScene, grid: Grid, box: FloatArray, near: float, far: FloatArray | float) -> Sight:
+    """Find what the pixels see of the part of the scene within a box.
+
+    Parameters
+    ----------
+    scene:
+        The model in the card frame, mm.
+    grid:
+        The pixels.
+    box:
+        Rows low and high, shape (2, 3).
+    near, far:
+        Least and greatest depth behind the plane; `far` may differ by pixel (NaN: not looked at).
+    """
+    origins = grid.plane.lift(grid.centres())
+    enter, leave = _within(box, origins, -grid.plane.normal)
+    start = np.maximum(enter, near)
+    stop = np.minimum(leave, np.ravel(far))
+    wanted = np.flatnonzero(stop >= start)
+    depth = np.full(len(origins), np.inf)
+    face = np.full(len(origins), -1, dtype=np.int64)
+    bary = np.zeros((len(origins), 3))
+    if len(wanted):
+        along = start[wanted]
+        longest = float((stop - start)[wanted].max())
+        rays = origins[wanted] - along[:, None] * grid.plane.normal
+        hits = scene.hit(rays, -grid.plane.normal[None], far=longest)
+        seen = along + hits.distance <= stop[wanted] + scene.tolerance
+        at = wanted[seen]
+        depth[at], face[at], bary[at] = along[seen] + hits.distance[seen], hits.face[seen], hits.bary[seen]
+    return Sight(grid, depth.reshape(grid.shape), face, bary)
+
+
+def colours(scene: RayScene, sight: Sight) -> UInt8Array:
+    """Colours as they are, shape (rows, columns, 3); a model of one colour is softly lit and its edges drawn.
+
+    Pixels that see nothing are black.
+    """
+    seen = np.flatnonzero(sight.face >= 0)
+    face, bary = sight.face[seen], sight.bary[seen]
+    parts = map_chunks(lambda at: scene.paint.colours(face[at], bary[at], sight.grid.pixel), len(seen))
+    found: Colours = np.concatenate(parts)
+    if scene.paint.plain:
+        found = scene.paint.paper(found)
+        found = np.concatenate([found[:, :3] * _light(scene, sight, seen), found[:, 3:]], axis=1)
+    image = np.zeros((len(sight.face), 3), dtype=np.uint8)
+    image[seen] = np.rint(np.clip(found[:, :3], 0, 1) * 255).astype(np.uint8)
+    return image.reshape(*sight.grid.shape, 3)
+
+
+def _light(scene: RayScene, sight: Sight, seen: IntArray) -> Colours:
+    """Factors of light and feature lines of the pixels that see something, shape (k, 3)."""
+    grid = sight.grid
+    eye = grid.plane.normal
+    face, bary = sight.face[seen], sight.bary[seen]
+    smooth = scene.shading_normals(face, bary, -eye[None])
+    light = Light.of_view(grid.plane.u, grid.plane.v, eye, grid.plane.v)
+    count = len(sight.face)
+    normal, point = (np.zeros((count, 3), dtype=np.float32) for _ in range(2))
+    normal[seen] = facing(scene.normals.astype(np.float32)[face], -eye)
+    point[seen, :2] = grid.centres()[seen]
+    point[seen, 2] = -sight.depth.ravel()[seen]
+    axes = np.array([grid.plane.u, grid.plane.v, eye], dtype=np.float32)
+    shape = (*grid.shape, 3)
+    width = max(1, round(LINE_WIDTH / grid.pixel))
+    lines = feature_edges(sight.mask, (normal @ axes.T).reshape(shape), point.reshape(shape), grid.pixel, width)
+    return light.shade(smooth) * np.where(lines.ravel()[seen], np.float32(LINE), np.float32(1))[:, None]
+
+
+LINE_WIDTH = 0.25
+"""mm; width of the feature lines on models without colours."""
+
+
+def _within(box: FloatArray, origins: FloatArray, direction: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Where rays enter and leave a box, shape (n,) each; they miss it where they leave before they enter."""
+    enter, leave = np.full(len(origins), -np.inf), np.full(len(origins), np.inf)
+    for axis in range(3):
+        to_low, to_high = box[0, axis] - origins[:, axis], box[1, axis] - origins[:, axis]
+        if abs(direction[axis]) < PARALLEL:
+            leave[(to_low > 0) | (to_high < 0)] = -np.inf
+            continue
+        first, last = np.sort([to_low / direction[axis], to_high / direction[axis]], axis=0)
+        enter, leave = np.maximum(enter, first), np.minimum(leave, last)
+    return enter, leave
