@@ -30,8 +30,8 @@ STEEP = 0.5
 """Normals whose horizontal part is shorter say little about the heading."""
 SHARP = np.cos(np.radians(30))
 """Edges between faces that turn less are rounding or triangulation, not edges of the shape."""
-NEAR = np.cos(np.radians(8))
-"""Normals within 8 degrees of an axis belong to it."""
+NEAR = np.cos(np.radians(4))
+"""Normals within 4 degrees of an axis belong to it."""
 
 
 class Peak(NamedTuple):

@@ -26,12 +26,12 @@ DOWNWARD = 0.005
 """Prior weight of negative axes: nearly nobody stores a model upside down."""
 ORIGIN_TOLERANCE, CENTRE_TOLERANCE = 0.02, 0.1
 """How far off the origin, relative to the extent, a model still counts as standing on it and centred on it."""
+USUAL = 0.1
+"""A custom with more than this weight may be called usual."""
 SLICE = 0.03
 """Share of the height that counts as bottom and as top."""
 ASKEW_GAIN = 0.15
-"""Area share that the NPCA frame must cover beyond every upright frame for a model to count as askew."""
-ASKEW_ANGLE = np.cos(np.radians(4))
-"""A model with a principal axis this near to one of its coordinate axes is not askew."""
+"""Area share that the NPCA frame must cover beyond the best frame about the up axis for a model to be askew."""
 
 
 class Evidence(NamedTuple):
@@ -105,20 +105,25 @@ def choose_up(surface: Surface, samples: Samples, custom: dict[str, float], up: 
     """
     if up != "auto":
         return UpChoice(axis_vector(up, "up"), up, 1.0, f"{up} is up because the up option says so")
-    axes = principal_axes(samples)
-    if _is_askew(samples, axes):
-        prior = [_tilted_prior(direction, custom) for direction in _signed(axes)]
-        choice, evidence, confidence = _best(surface, samples, axes, prior, on_axes=False)
-        reason = "the model stands askew in its file; by its principal axes, " + _why(evidence)
-        return UpChoice(_signed(axes)[choice], "askew", confidence, reason)
     prior = [_axis_prior(name, custom) for name in UP_AXES]
     choice, evidence, confidence = _best(surface, samples, np.eye(3), prior, on_axes=True)
+    axes = principal_axes(samples)
+    if _is_askew(samples, axes, choice // 2):
+        return _askew_choice(surface, samples, axes, custom)
     name = UP_AXES[choice]
-    usual = " and ".join(axis for axis, weight in custom.items() if weight > 0.1)
-    agrees = "as is usual" if custom.get(name, 0.0) > 0.1 else f"although {usual} is usual"
-    return UpChoice(
-        axis_vector(name, "up"), name, confidence, f"{name} is up, {agrees} for the format: {_why(evidence)}"
-    )
+    usual = " and ".join(axis for axis, weight in custom.items() if weight > USUAL)
+    agrees = "as is usual" if custom.get(name, 0.0) > USUAL else f"although {usual} is usual"
+    reason = f"{name} is up, {agrees} for the format: {_why(evidence)}"
+    return UpChoice(axis_vector(name, "up"), name, confidence, reason)
+
+
+def _askew_choice(surface: Surface, samples: Samples, axes: FloatArray, custom: dict[str, float]) -> UpChoice:
+    """Choose among the principal axes of a model that stands askew in its file."""
+    directions = _signed(axes)
+    prior = [_tilted_prior(direction, custom) for direction in directions]
+    choice, evidence, confidence = _best(surface, samples, axes, prior, on_axes=False)
+    reason = f"the model stands askew in its file; by its principal axes: {_why(evidence)}"
+    return UpChoice(directions[choice], "askew", confidence, reason)
 
 
 def _axis_prior(name: str, custom: dict[str, float]) -> float:
@@ -185,12 +190,9 @@ def _hull_share(points: FloatArray) -> float:
     return float(MultiPoint(points).convex_hull.area) if len(points) else 0.0
 
 
-def _is_askew(samples: Samples, axes: FloatArray) -> bool:
-    """Whether the faces line up with `axes`, none of which is a coordinate axis."""
-    if (np.abs(axes) > ASKEW_ANGLE).any():
-        return False
-    upright = max(axis_share(samples, _frame_about(samples, k)) for k in range(3))
-    return axis_share(samples, axes) > upright + ASKEW_GAIN
+def _is_askew(samples: Samples, axes: FloatArray, up: int) -> bool:
+    """Whether the faces line up with `axes` much better than with any frame about the coordinate axis `up`."""
+    return axis_share(samples, axes) > axis_share(samples, _frame_about(samples, up)) + ASKEW_GAIN
 
 
 def _frame_about(samples: Samples, axis: int) -> FloatArray:

@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import trimesh
+from mesh_solids import truck_mesh
 
 from popsim.mesh.formats import FORMATS
 from popsim.mesh.loading import load_model
@@ -32,17 +33,16 @@ def turned_scene() -> trimesh.Scene:
 
 
 @pytest.mark.parametrize("suffix", FORMATS)
-def test_round_trip(suffix: str, tmp_path: Path, truck_mesh: trimesh.Trimesh) -> None:
+def test_round_trip(suffix: str, tmp_path: Path) -> None:
+    mesh = truck_mesh()
     path = tmp_path / f"truck{suffix}"
     if suffix == ".gltf":
-        for name, data in trimesh.exchange.gltf.export_gltf(trimesh.Scene(truck_mesh)).items():
+        for name, data in trimesh.exchange.gltf.export_gltf(trimesh.Scene(mesh)).items():
             (tmp_path / name.replace("model.gltf", path.name)).write_bytes(data)
     else:
-        truck_mesh.export(path)
+        mesh.export(path)
     model = load_model(path)
-    np.testing.assert_allclose(
-        sorted_corners(model.surface.triangles), sorted_corners(truck_mesh.triangles), atol=2e-5
-    )
+    np.testing.assert_allclose(sorted_corners(model.surface.triangles), sorted_corners(mesh.triangles), atol=2e-5)
     assert model.format == FORMATS[suffix].name
     assert model.sha256 == hashlib.sha256(path.read_bytes()).hexdigest()
     assert model.notes == ()
@@ -66,10 +66,10 @@ def test_real_models_have_the_coordinates_of_trimesh(shared_meshes: Path) -> Non
         assert len(kept) > 0.99 * len(corners)
 
 
-def test_suffix_in_capitals(tmp_path: Path, truck_mesh: trimesh.Trimesh) -> None:
+def test_suffix_in_capitals(tmp_path: Path) -> None:
     path = tmp_path / "TRUCK.STL"
-    path.write_bytes(truck_mesh.export(file_type="stl"))
-    assert len(load_model(path).surface.triangles) == len(truck_mesh.faces)
+    path.write_bytes(truck_mesh().export(file_type="stl"))
+    assert len(load_model(path).surface.triangles) == len(truck_mesh().faces)
 
 
 def test_undefined_and_degenerate_faces_are_left_out(tmp_path: Path) -> None:

@@ -123,11 +123,11 @@ def test_glb_texture_and_factor(tmp_path: Path) -> None:
     np.testing.assert_allclose(surface.uv[..., 1], surface.triangles[..., 1], atol=1e-6)
 
 
-@pytest.mark.parametrize(("mode", "alpha"), [("OPAQUE", 1.0), ("BLEND", 0.0)])
-def test_alpha_counts_only_where_the_material_blends(mode: str, alpha: float, tmp_path: Path) -> None:
-    material = PBRMaterial(baseColorFactor=[255, 0, 0, 0], alphaMode=mode)
+@pytest.mark.parametrize(("mode", "stated", "alpha"), [("OPAQUE", 51, 1.0), ("BLEND", 51, 0.2), ("BLEND", 0, 1.0)])
+def test_alpha_counts_only_where_the_material_blends(mode: str, stated: int, alpha: float, tmp_path: Path) -> None:
+    material = PBRMaterial(baseColorFactor=[255, 0, 0, stated], alphaMode=mode)
     surface = load_model(glb(tmp_path / "q.glb", material)).surface
-    assert surface.materials[0].colour[3] == alpha
+    assert surface.materials[0].colour[3] == pytest.approx(alpha)
 
 
 def test_linear_factors_become_display_values(tmp_path: Path) -> None:

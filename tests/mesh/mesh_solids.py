@@ -1,10 +1,9 @@
-"""Small models for the tests of the mesh door."""
+"""Small solids for the tests of the mesh door."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
-import pytest
 import trimesh
 
 from popsim.geometry.arrays import FloatArray
@@ -35,19 +34,24 @@ def boxes_mesh(boxes: Sequence[Box]) -> trimesh.Trimesh:
     return trimesh.util.concatenate([trimesh.creation.box(bounds=np.array(box)) for box in boxes])
 
 
-@pytest.fixture
 def truck_mesh() -> trimesh.Trimesh:
+    """A truck, upright (z), its lower front to +x, the mirror plane at y = 0."""
     return boxes_mesh(TRUCK)
 
 
-@pytest.fixture
-def model_of() -> Callable[..., Model]:
-    """Make a model of a mesh, moved by a matrix, as if it had been read from a file of that suffix."""
+def model_of(mesh: trimesh.Trimesh, matrix: FloatArray | None = None, suffix: str = ".stl") -> Model:
+    """A model of a mesh, moved by a matrix, as if it had been read from a file of that suffix."""
+    surface = surface_of(mesh)
+    if matrix is not None:
+        surface = surface.transformed(matrix)
+    return Model(Path("made" + suffix), "0" * 64, surface, suffix[1:].upper())
 
-    def make(mesh: trimesh.Trimesh, matrix: FloatArray | None = None, suffix: str = ".stl") -> Model:
-        surface = surface_of(mesh)
-        if matrix is not None:
-            surface = surface.transformed(matrix)
-        return Model(Path("made" + suffix), "0" * 64, surface, suffix[1:].upper())
 
-    return make
+def turn(axis: FloatArray, degrees: float) -> FloatArray:
+    """Homogeneous rotation about an axis through the origin."""
+    return np.asarray(trimesh.transformations.rotation_matrix(np.radians(degrees), axis))
+
+
+def shift(*offset: float) -> FloatArray:
+    """Homogeneous translation."""
+    return np.asarray(trimesh.transformations.translation_matrix(offset))

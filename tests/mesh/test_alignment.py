@@ -1,0 +1,151 @@
+"""The canonical frame depends on the shape, not on how it stands in its file."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+import trimesh
+from hypothesis import Phase, given, settings
+from hypothesis import strategies as st
+from mesh_solids import boxes_mesh, model_of, shift, truck_mesh, turn
+
+from popsim.errors import MeshError
+from popsim.geometry.arrays import FloatArray
+from popsim.mesh.alignment import METHODS, Alignment, align
+from popsim.mesh.loading import load_model
+
+Z = np.array([0.0, 0.0, 1.0])
+REPEATABLE = settings(derandomize=True, deadline=None, phases=(Phase.explicit, Phase.generate))
+CENTRED_TRUCK = shift(0.25, 0, 0)  # its x range is -3 to 2.5
+
+
+def placed(mesh: trimesh.Trimesh, found: Alignment, matrix: FloatArray | None = None) -> FloatArray:
+    """Vertices of the mesh, moved by `matrix`, in the canonical frame."""
+    total = found.matrix @ (np.eye(4) if matrix is None else matrix)
+    return np.asarray(trimesh.transform_points(mesh.vertices, total))
+
+
+def assert_canonical(points: FloatArray, found: Alignment) -> None:
+    turned = found.matrix[:3, :3]
+    np.testing.assert_allclose(turned @ turned.T, np.eye(3), atol=1e-12)
+    assert np.linalg.det(turned) == pytest.approx(1)
+    np.testing.assert_array_equal(found.matrix[3], [0, 0, 0, 1])
+    low, high = points.min(axis=0), points.max(axis=0)
+    assert low[2] == pytest.approx(0, abs=1e-9)
+    assert low[0] + high[0] == pytest.approx(0, abs=1e-9)
+    np.testing.assert_allclose(found.box.bounds, [low, high], atol=1e-9)
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_upright_truck_only_shifts(method: str) -> None:
+    found = align(model_of(truck_mesh()), method=method)
+    np.testing.assert_allclose(found.matrix, CENTRED_TRUCK, atol=2e-3)
+    assert_canonical(placed(truck_mesh(), found), found)
+    assert found.axes == ("x", "y", "z")
+    assert found.symmetry.score > 0.97
+    assert "the lower end is the front" in found.reasons
+
+
+@settings(REPEATABLE, max_examples=6)
+@given(
+    degrees=st.floats(0, 360),
+    offset=st.tuples(*[st.floats(-50, 50)] * 3),
+    method=st.sampled_from(["npca", "edges"]),
+)
+def test_turned_about_the_vertical(degrees: float, offset: tuple[float, float, float], method: str) -> None:
+    matrix = shift(*offset) @ turn(Z, degrees)
+    found = align(model_of(truck_mesh(), matrix), up="z", method=method)
+    np.testing.assert_allclose(found.matrix @ matrix, CENTRED_TRUCK, atol=5e-3)
+
+
+@settings(REPEATABLE, max_examples=4)
+@given(tilt=st.floats(10, 35), heading=st.floats(0, 90))
+def test_askew_truck_is_found_in_space(tilt: float, heading: float) -> None:
+    # less than about 5 degrees would pass for tapered walls
+    around = np.array([np.cos(np.radians(heading)), np.sin(np.radians(heading)), 0.3])
+    matrix = turn(around, tilt)
+    found = align(model_of(truck_mesh(), matrix))
+    np.testing.assert_allclose(found.matrix @ matrix, CENTRED_TRUCK, atol=1e-2)
+
+
+def test_method_none_keeps_the_model_axes() -> None:
+    found = align(model_of(truck_mesh(), turn(Z, 30)), method="none")
+    assert set(np.abs(found.matrix[:3, :3]).ravel()) == {0.0, 1.0}
+
+
+def test_fold_lies_in_an_off_centre_mirror_plane() -> None:
+    mast = [((0.0, 1.0, 0.6), (0.1, 3.0, 0.7)), ((0.0, 3.0, 0.6), (0.1, 3.1, 1.5))]
+    mesh = trimesh.util.concatenate([truck_mesh(), boxes_mesh(mast)])
+    found = align(model_of(mesh), up="z")
+    np.testing.assert_allclose(found.matrix[:3, 3], [0.25, 0, 0], atol=0.02)
+    assert not found.symmetry.centred
+
+
+@pytest.mark.parametrize(("fold", "along"), [("auto", "y"), ("long", "y"), ("short", "x")])
+def test_fold_of_a_block_with_two_mirror_planes(fold: str, along: str) -> None:
+    found = align(model_of(trimesh.creation.box([2, 5, 1])), up="z", fold=fold)
+    assert found.axes[0] == along
+
+
+def test_the_better_mirror_plane_beats_the_longer_side() -> None:
+    # an L seen from above, longer across its mirror plane x = 0 than along it
+    mesh = boxes_mesh([((-4, 0, 0), (4, 1, 1)), ((-0.5, 1, 0), (0.5, 3, 2))])
+    found = align(model_of(mesh), up="z")
+    assert found.axes[0].endswith("y")
+    np.testing.assert_allclose(found.matrix[1, 3], 0, atol=1e-2)
+
+
+@pytest.mark.parametrize(("front", "axes"), [("x", "x y z"), ("-x", "-x -y z"), ("y", "y -x z"), ("-y", "-y x z")])
+def test_front_points_to_x(front: str, axes: str) -> None:
+    found = align(model_of(truck_mesh()), front=front)
+    assert " ".join(found.axes) == axes
+    assert found.matrix[0, :3] @ np.eye(3)["xyz".index(front[-1])] == pytest.approx(-1 if "-" in front else 1)
+
+
+def test_stray_part_does_not_lift_or_shift_the_model() -> None:
+    mesh = trimesh.util.concatenate([truck_mesh(), boxes_mesh([((60, 0, -30), (60.1, 0.1, -29.9))])])
+    found = align(model_of(mesh), up="z")
+    np.testing.assert_allclose(found.matrix, CENTRED_TRUCK, atol=2e-3)
+    assert any("far from the rest" in reason for reason in found.reasons)
+
+
+def test_same_input_same_bytes() -> None:
+    first, again = (align(model_of(truck_mesh())) for _ in range(2))
+    assert first.matrix.tobytes() == again.matrix.tobytes()
+    assert first.reasons == again.reasons
+
+
+def test_tessellation_does_not_matter() -> None:
+    fine = truck_mesh().subdivide().subdivide()
+    coarse_matrix, fine_matrix = (align(model_of(mesh)).matrix for mesh in (truck_mesh(), fine))
+    np.testing.assert_allclose(coarse_matrix, fine_matrix, atol=2e-3)
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        ({"up": "w"}, "up: 'w' is unknown; expected one of x, -x"),
+        ({"front": "w"}, "front: 'w' is unknown"),
+        ({"front": "-z", "up": "z"}, "front: '-z' is the up axis"),
+        ({"method": "pca"}, "method: 'pca' is unknown; expected one of npca, edges, none"),
+        ({"fold": "wide"}, "fold: 'wide' is unknown"),
+    ],
+)
+def test_unknown_options(options: dict[str, str], message: str) -> None:
+    with pytest.raises(MeshError, match=message):
+        align(model_of(truck_mesh()), **options)
+
+
+@pytest.mark.parametrize(
+    ("name", "axes", "symmetry"),
+    [
+        ("delivery_truck/delivery.obj", "z x y", 0.97),
+        ("ambulance_missing_tex/ambulance.obj", "-y x z", 0.97),
+        ("skull_100k/skull.obj", "z x y", 0.95),
+        ("mayan_pyramid/q_mayan_temple.obj", "x -z y", 0.95),
+    ],
+)
+def test_real_models(name: str, axes: str, symmetry: float, shared_meshes: Path) -> None:
+    found = align(load_model(shared_meshes / name))
+    assert " ".join(found.axes) == axes
+    assert found.symmetry.score > symmetry
