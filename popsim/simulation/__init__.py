@@ -1,0 +1,23 @@
+"""Folding a design in MuJoCo as hinged rigid plates, and measuring what happens.
+
+**Model.** One body per patch, in the frame of the open pose, so that the pose of a body *is* the motion of its
+patch. A spanning forest rooted at ground and backdrop carries one hinge joint per tree hinge; every other hinge
+closes a loop by two `connect` equalities, one at each end of its axis. Ground and backdrop are mocap bodies: the
+mechanisms fall apart into independent islands and the cost grows linearly. Lengths are divided by the size of the
+pop-up, so that a 50 mm and a 500 mm card are the same model.
+
+**Verdict.** A soft constraint can stretch, so nothing here trusts the solver: loop gaps, flatness and ranges are
+measured from the recorded poses with the real outlines, in millimetres. No solver setting can make a gap small
+in poses where hinges do not meet.
+
+**Settling.** After each recorded angle the pages are held for a few steps with velocities set to zero. That makes
+each step a Gauss-Newton step on the loop equations; it converges where they can be met, and stays where not.
+
+MuJoCo is imported inside functions, and only in this package.
+"""
+
+from popsim.simulation.folding import Folding, fold_design
+from popsim.simulation.gaps import Gaps
+from popsim.simulation.sweep import Sweep
+
+__all__ = ["Folding", "Gaps", "Sweep", "fold_design"]

@@ -1,0 +1,135 @@
+"""Plates that cross while the card closes."""
+
+from collections import defaultdict
+from dataclasses import dataclass
+from typing import Any
+from xml.sax.saxutils import quoteattr
+
+import numpy as np
+
+from popsim.design import Patch
+from popsim.geometry.arrays import FloatArray
+from popsim.simulation.candidates import Candidate, candidate_pairs
+from popsim.simulation.mjcf import text
+from popsim.simulation.pieces import convex_pieces
+from popsim.simulation.sweep import Sweep
+
+SKIN = 1e-4
+"""Half thickness of the plates that MuJoCo collides, over the extent of the scene: it wants volume. Depths are
+corrected by it."""
+
+STACKED_DEGREES = 1.0
+"""Below this fold angle the card counts as closed: patches lie on each other, and what crossed before matters."""
+
+
+@dataclass(frozen=True)
+class Contact:
+    """Two patches that cross.
+
+    Attributes
+    ----------
+    patches:
+        Their ids, in the order of the design.
+    first:
+        Fold angle at which they first cross while closing, rad.
+    depth:
+        How far one reaches through the other at most, mm: the least shift that would part them.
+    deepest:
+        Fold angle of that, rad.
+    """
+
+    patches: tuple[str, str]
+    first: float
+    depth: float
+    deepest: float
+
+
+def find_contacts(sweep: Sweep, tolerance: float) -> list[Contact]:
+    """All pairs that cross by more than `tolerance` mm while the card closes, the deepest first."""
+    count = int((sweep.degrees[: sweep.closed + 1] >= STACKED_DEGREES - 1e-9).sum())
+    frames = range(count)
+    candidates = candidate_pairs(sweep, frames, tolerance)
+    if not candidates:
+        return []
+    depths = _depths(sweep, candidates)
+    contacts = []
+    for candidate in candidates:
+        pair = (candidate.first, candidate.second)
+        crossing = {angle: depth for angle, depth in depths[pair].items() if depth > tolerance}
+        if crossing:
+            deepest = max(crossing, key=lambda angle: crossing[angle])
+            first, second = (sweep.design.patches[k].id for k in pair)
+            angles = sweep.theta[[min(crossing), deepest]]
+            contacts.append(Contact((first, second), float(angles[0]), crossing[deepest], float(angles[1])))
+    return sorted(contacts, key=lambda contact: (-contact.depth, contact.patches))
+
+
+def _depths(sweep: Sweep, candidates: list[Candidate]) -> dict[tuple[int, int], dict[int, float]]:
+    """Depth in mm by pair and position of the angle; absent where they are apart."""
+    scene = _Scene(sweep, sorted({k for c in candidates for k in (c.first, c.second)}))
+    by_angle: dict[int, list[Candidate]] = defaultdict(list)
+    for candidate in candidates:
+        for angle in candidate.angles:
+            by_angle[angle].append(candidate)
+    depths: dict[tuple[int, int], dict[int, float]] = defaultdict(dict)
+    for angle, pairs in sorted(by_angle.items()):
+        scene.place(sweep.poses[angle])
+        for candidate in pairs:
+            pair = (candidate.first, candidate.second)
+            depths[pair][angle] = scene.depth(*pair)
+    return depths
+
+
+class _Scene:
+    """Some patches of a design as thin convex prisms on mocap bodies."""
+
+    def __init__(self, sweep: Sweep, members: list[int]) -> None:
+        import mujoco
+
+        self._mujoco = mujoco
+        self._members = members
+        patches = [sweep.design.patches[k] for k in members]
+        points = np.concatenate([patch.points for patch in patches])
+        self._scale = float(np.ptp(points, axis=0).max())
+        parts = [_prisms(patch, self._scale) for patch in patches]
+        counts = np.cumsum([0, *(len(part) for part in parts)])
+        self._geoms = {k: range(counts[i], counts[i + 1]) for i, k in enumerate(members)}
+        self._model: Any = mujoco.MjModel.from_xml_string(_scene_mjcf(patches, parts))
+        self._data: Any = mujoco.MjData(self._model)
+        self._segment = np.zeros(6)
+
+    def place(self, poses: FloatArray) -> None:
+        """Put the patches where `poses` (p, 4, 4) say."""
+        for body, member in enumerate(self._members):
+            self._mujoco.mju_mat2Quat(self._data.mocap_quat[body], poses[member, :3, :3].ravel())
+            self._data.mocap_pos[body] = poses[member, :3, 3] / self._scale
+        self._mujoco.mj_kinematics(self._model, self._data)
+
+    def depth(self, first: int, second: int) -> float:
+        """How far two patches reach through each other, mm: of their deepest pieces; at most 0 where apart."""
+        nearest = min(
+            self._mujoco.mj_geomDistance(self._model, self._data, one, other, SKIN, self._segment)
+            for one in self._geoms[first]
+            for other in self._geoms[second]
+        )
+        return float(-(nearest + 2 * SKIN) * self._scale)
+
+
+def _prisms(patch: Patch, scale: float) -> list[FloatArray]:
+    """Convex pieces of a patch as prisms in units of the scene, each of shape (2 k, 3)."""
+    rise = SKIN * patch.plane.normal
+    return [np.concatenate([piece / scale + rise, piece / scale - rise]) for piece in convex_pieces(patch)]
+
+
+def _scene_mjcf(patches: list[Patch], parts: list[list[FloatArray]]) -> str:
+    meshes, bodies, count = [], [], 0
+    for patch, prisms in zip(patches, parts, strict=True):
+        geoms = []
+        for prism in prisms:
+            meshes.append(f'<mesh name="{count}" vertex="{text(prism)}" inertia="shell"/>')
+            geoms.append(f'<geom type="mesh" mesh="{count}"/>')
+            count += 1
+        bodies.append(f'<body name={quoteattr(patch.id)} mocap="true">{"".join(geoms)}</body>')
+    return (
+        f'<mujoco model="plates"><asset>{"".join(meshes)}</asset><worldbody>{"".join(bodies)}</worldbody></mujoco>'
+    )

@@ -1,0 +1,97 @@
+"""Which hinges become joints of the tree and which close loops."""
+
+from collections import deque
+from dataclasses import dataclass
+
+from popsim.design import BACKDROP_ID, GROUND_ID, Design, Hinge
+
+PAGES = (GROUND_ID, BACKDROP_ID)
+"""The two driven patches, roots of the forest."""
+
+
+@dataclass(frozen=True)
+class TreeJoint:
+    """A hinge of the forest: `child` hangs on `parent`."""
+
+    hinge: Hinge
+    parent: str
+    child: str
+
+
+@dataclass(frozen=True)
+class Forest:
+    """The hinges but the central fold, split in two.
+
+    Attributes
+    ----------
+    joints:
+        One per patch that is no page; parents come before their children.
+    loops:
+        The hinges that close loops, in the order of the design.
+    """
+
+    joints: tuple[TreeJoint, ...]
+    loops: tuple[Hinge, ...]
+
+
+def spanning_forest(design: Design) -> Forest:
+    """Split the hinges of `design`.
+
+    Flat creases come first, because a joint can be limited to one side and a loop cannot; then hinges near the
+    pages, which keeps the chains short.
+    """
+    depth = _depths(design)
+    hinges = [hinge for hinge in design.hinges if set(hinge.patches) != set(PAGES)]
+    ranked = sorted(hinges, key=lambda hinge: (hinge.crease is None, min(depth[name] for name in hinge.patches)))
+    chosen = _kruskal(design, ranked)
+    joints = _orient(design, chosen)
+    return Forest(joints, tuple(hinge for hinge in hinges if hinge.id not in chosen))
+
+
+def _depths(design: Design) -> dict[str, int]:
+    """Hinges between each patch and the nearest page."""
+    depth = dict.fromkeys(PAGES, 0)
+    queue = deque(PAGES)
+    while queue:
+        name = queue.popleft()
+        for hinge in design.hinges_by_patch[name]:
+            other = hinge.other(name)
+            if other not in depth:
+                depth[other] = depth[name] + 1
+                queue.append(other)
+    return depth
+
+
+def _kruskal(design: Design, ranked: list[Hinge]) -> set[str]:
+    """Ids of the hinges that join separate trees, the pages being one tree from the start."""
+    root = {patch.id: patch.id for patch in design.patches}
+    root[BACKDROP_ID] = GROUND_ID
+
+    def find(name: str) -> str:
+        while root[name] != name:
+            root[name] = root[root[name]]
+            name = root[name]
+        return name
+
+    chosen = set()
+    for hinge in ranked:
+        first, second = (find(name) for name in hinge.patches)
+        if first != second:
+            root[second] = first
+            chosen.add(hinge.id)
+    return chosen
+
+
+def _orient(design: Design, chosen: set[str]) -> tuple[TreeJoint, ...]:
+    joints = []
+    seen = set(PAGES)
+    queue = deque(PAGES)
+    while queue:
+        name = queue.popleft()
+        for hinge in design.hinges_by_patch[name]:
+            child = hinge.other(name)
+            if hinge.id in chosen and child not in seen:
+                seen.add(child)
+                joints.append(TreeJoint(hinge, name, child))
+                queue.append(child)
+    return tuple(joints)

@@ -1,0 +1,134 @@
+"""A design as MJCF, MuJoCo's XML."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from xml.sax.saxutils import quoteattr
+
+import numpy as np
+import numpy.typing as npt
+
+from popsim.design import Design, Patch
+from popsim.geometry.arrays import FloatArray
+from popsim.simulation.forest import PAGES, Forest, TreeJoint
+from popsim.simulation.solver import LOOP_SOLREF, PRELOAD, TIMESTEP
+from popsim.simulation.turning import Turn
+
+FREELY = 4 * np.pi
+"""rad; a limit that is never reached."""
+
+
+@dataclass(frozen=True)
+class Recipe:
+    """What a model is made with.
+
+    Attributes
+    ----------
+    scale:
+        mm per unit of length of the model.
+    damping:
+        Joint damping over inertia, 1/s.
+    impedance:
+        How much of the reference acceleration of loops and limits is enforced.
+    """
+
+    scale: float
+    damping: float
+    impedance: float
+
+
+def size_of(design: Design) -> float:
+    """Greatest extent of the pop-up without its pages (of the pages where there is nothing else), mm."""
+    patches = design.popup_patches or design.patches
+    points = np.concatenate([patch.points for patch in patches])
+    return float(np.ptp(points, axis=0).max())
+
+
+def write_mjcf(design: Design, forest: Forest, turns: Mapping[str, Turn], recipe: Recipe) -> str:
+    """MJCF of `design` with ground and backdrop as mocap bodies; poses are relative to the open pose.
+
+    `turns` holds how far each hinge turns, by its id.
+    """
+    children: dict[str, list[TreeJoint]] = {}
+    for joint in forest.joints:
+        children.setdefault(joint.parent, []).append(joint)
+    bodies = "".join(_page(design, name, children, turns, recipe) for name in PAGES)
+    loops = "".join(
+        f"<connect body1={quoteattr(hinge.patches[0])} body2={quoteattr(hinge.patches[1])} "
+        f'anchor="{text(point / recipe.scale)}"/>'
+        for hinge in forest.loops
+        for point in hinge.points
+    )
+    return (
+        '<mujoco model="pop-up"><compiler angle="radian"/>'
+        f'<option timestep="{TIMESTEP}" gravity="0 0 0" solver="Newton" integrator="implicitfast" '
+        'tolerance="1e-12" iterations="100"><flag autoreset="disable" contact="disable"/></option>'
+        f'<default><equality solref="{LOOP_SOLREF}" solimp="{recipe.impedance} {recipe.impedance}"/>'
+        f'<joint solreflimit="{LOOP_SOLREF}" solimplimit="{recipe.impedance} {recipe.impedance}"/></default>'
+        f"<worldbody>{bodies}</worldbody><equality>{loops}</equality></mujoco>"
+    )
+
+
+def text(values: npt.ArrayLike) -> str:
+    """Numbers as MJCF attributes hold them, to the last bit."""
+    return " ".join(repr(float(value)) for value in np.ravel(np.asarray(values, float)))
+
+
+def _page(
+    design: Design, name: str, children: dict[str, list[TreeJoint]], turns: Mapping[str, Turn], recipe: Recipe
+) -> str:
+    """A page and all that hangs on it. Written without recursion, because towers may be deep."""
+    parts = [f'<body name="{name}" mocap="true">']
+    stack: list[TreeJoint | None] = [*reversed(children.get(name, []))]
+    while stack:
+        joint = stack.pop()
+        if joint is None:
+            parts.append("</body>")
+            continue
+        parts.append(f"<body name={quoteattr(joint.child)}>{_mass_and_joint(design, joint, turns, recipe)}")
+        stack.append(None)
+        stack.extend(reversed(children.get(joint.child, [])))
+    return "".join(parts) + "</body>"
+
+
+def _mass_and_joint(design: Design, joint: TreeJoint, turns: Mapping[str, Turn], recipe: Recipe) -> str:
+    """All plates weigh the same and turn alike: only where they can go matters, not how."""
+    patch = design.patch_by_id[joint.child]
+    points = patch.points / recipe.scale
+    centre = points.mean(axis=0)
+    inertia = float(((points - centre) ** 2).sum(axis=1).max())
+    axis = _axis(patch, joint)
+    extra = _limits(turns[joint.hinge.id], joint, axis)
+    if joint.hinge.crease is not None:
+        extra += f' springref="{np.pi!r}" stiffness="{PRELOAD * inertia!r}"'
+    return (
+        f'<inertial pos="{text(centre)}" mass="1" diaginertia="{text([inertia] * 3)}"/>'
+        f'<joint name={quoteattr(joint.hinge.id)} type="hinge" pos="{text(joint.hinge.points[0] / recipe.scale)}" '
+        f'axis="{text(axis)}" damping="{recipe.damping * inertia!r}"{extra}/>'
+    )
+
+
+def _axis(patch: Patch, joint: TreeJoint) -> FloatArray:
+    """Unit direction of a joint.
+
+    Flat creases turn positively: the crease bulges to its normal, so the far end of the child goes to the other
+    side.
+    """
+    hinge = joint.hinge
+    axis: FloatArray = (hinge.points[1] - hinge.points[0]) / hinge.length
+    if hinge.crease is None:
+        return axis
+    rises = np.cross(axis, patch.points - hinge.points[0]) @ np.array(hinge.crease)
+    return axis if rises[np.argmax(np.abs(rises))] < 0 else -axis
+
+
+def _limits(turn: Turn, joint: TreeJoint, axis: FloatArray) -> str:
+    """How far the child turns before it would pass through its parent; flat creases go to one side only."""
+    along = (joint.hinge.points[1] - joint.hinge.points[0]) @ axis > 0
+    lower, upper = turn.lower, turn.upper
+    if along != (joint.hinge.patches[1] == joint.child):
+        lower, upper = -upper, -lower
+    if joint.hinge.crease is not None:
+        lower = 0.0
+    if not (np.isfinite(lower) or np.isfinite(upper)):
+        return ""
+    return f' limited="true" range="{text(np.clip([lower, upper], -FREELY, FREELY))}"'

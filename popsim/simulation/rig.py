@@ -1,0 +1,97 @@
+"""A design hung on its two pages in MuJoCo."""
+
+from typing import Any
+
+import numpy as np
+
+from popsim.design import Design
+from popsim.geometry.arrays import FloatArray
+from popsim.geometry.frame import OPEN
+from popsim.simulation.forest import PAGES, Forest, spanning_forest
+from popsim.simulation.mjcf import Recipe, size_of, write_mjcf
+from popsim.simulation.solver import Pacing
+from popsim.simulation.turning import free_turn
+
+
+class Rig:
+    """The MuJoCo model of a design and its state. Angles are fold angles in rad, lengths mm.
+
+    Attributes
+    ----------
+    design, forest:
+        What was built, and which hinges are joints.
+    turns:
+        How far each hinge but the central one turns before paper is in the way, by its id.
+    scale:
+        mm per unit of length of the model.
+    model, data:
+        MuJoCo's own.
+    """
+
+    def __init__(self, design: Design, pacing: Pacing) -> None:
+        import mujoco
+
+        self.design = design
+        self.forest: Forest = spanning_forest(design)
+        self.turns = {hinge.id: free_turn(design, hinge) for hinge in design.hinges if hinge.kind != "central"}
+        self.scale = size_of(design)
+        mujoco.set_mju_user_warning(_ignore)
+        xml = write_mjcf(design, self.forest, self.turns, Recipe(self.scale, pacing.damping, pacing.impedance))
+        self.model: Any = mujoco.MjModel.from_xml_string(xml)
+        self.data: Any = mujoco.MjData(self.model)
+        self._step = mujoco.mj_step
+        self._place = mujoco.mj_kinematics
+        self._bodies = np.array([self.model.body(patch.id).id for patch in design.patches])
+
+    def hold(self, quaternions: FloatArray) -> None:
+        """Set ground and backdrop to two quaternions of :func:`page_quaternions`, shape (2, 4)."""
+        self.data.mocap_quat[:] = quaternions
+
+    def step(self, count: int = 1) -> None:
+        """Integrate."""
+        self._step(self.model, self.data, count)
+
+    def settle(self, count: int) -> None:
+        """Steps from rest: each is a Gauss-Newton step on the loop equations."""
+        for _ in range(count):
+            self.data.qvel[:] = 0
+            self._step(self.model, self.data)
+
+    def restore(self, state: FloatArray, quaternions: FloatArray) -> None:
+        """Go to recorded joint positions with the pages held as :meth:`hold` says, at rest."""
+        self.data.qpos[:] = state
+        self.data.qvel[:] = 0
+        self.data.qacc_warmstart[:] = 0
+        self.hold(quaternions)
+
+    def push(self, wrenches: FloatArray | None) -> None:
+        """Apply forces and torques to the bodies until told otherwise, units of the model, shape (bodies, 6)."""
+        self.data.xfrc_applied[:] = 0 if wrenches is None else wrenches
+
+    def poses(self) -> FloatArray:
+        """Motion of each patch from the open pose, in the order of the design, mm, shape (p, 4, 4)."""
+        self._place(self.model, self.data)
+        poses = np.zeros((len(self._bodies), 4, 4))
+        poses[:, :3, :3] = self.data.xmat[self._bodies].reshape(-1, 3, 3)
+        poses[:, :3, 3] = self.data.xpos[self._bodies] * self.scale
+        poses[:, 3, 3] = 1
+        return poses
+
+    @property
+    def alive(self) -> bool:
+        """Whether the state still holds numbers."""
+        return bool(np.isfinite(self.data.qpos).all() and np.isfinite(self.data.qvel).all())
+
+
+def page_quaternions(theta: FloatArray) -> FloatArray:
+    """Orientation of ground and backdrop at fold angles (n,), as MuJoCo quaternions, shape (n, 2, 4)."""
+    half = (OPEN - np.asarray(theta, float)) / 4
+    turns = np.zeros((*half.shape, len(PAGES), 4))
+    turns[..., 0] = np.cos(half)[..., None]
+    turns[..., 0, 1] = np.sin(half)
+    turns[..., 1, 1] = -np.sin(half)
+    return turns
+
+
+def _ignore(message: str) -> None:
+    """MuJoCo's warnings go unheard: what they mean for the verdict is measured, not printed."""

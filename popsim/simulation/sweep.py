@@ -1,0 +1,93 @@
+"""Closing the card and opening it again."""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from popsim.design import Design
+from popsim.geometry.arrays import FloatArray
+from popsim.geometry.rigid import transform
+from popsim.simulation.rig import Rig, page_quaternions
+from popsim.simulation.schedule import Schedule
+from popsim.simulation.solver import Pacing
+
+
+@dataclass(frozen=True, eq=False)
+class Sweep:
+    """The recorded motion of a design.
+
+    Attributes
+    ----------
+    design:
+        What was folded.
+    theta:
+        Recorded fold angles, rad: from open to closed to open, shape (n,).
+    poses:
+        Motion of each patch from the open pose at each of them, in the order of the design, shape (n, p, 4, 4).
+    states:
+        MuJoCo's joint positions at each of them, shape (n, q).
+    complete:
+        False where the integration broke down; then angles and poses end before that.
+    """
+
+    design: Design
+    theta: FloatArray
+    poses: FloatArray
+    states: FloatArray
+    complete: bool
+
+    @cached_property
+    def index(self) -> dict[str, int]:
+        """Position of each patch in the design, by id."""
+        return {patch.id: position for position, patch in enumerate(self.design.patches)}
+
+    @property
+    def degrees(self) -> FloatArray:
+        """Recorded fold angles in degrees, shape (n,)."""
+        return np.degrees(self.theta)
+
+    @property
+    def closed(self) -> int:
+        """Position of the closed card among the angles (the least angle that was reached)."""
+        return int(np.argmin(self.theta))
+
+    def moved(self, patch: str, points: FloatArray) -> FloatArray:
+        """Points (k, 3) of a patch in the open pose, at each angle, shape (n, k, 3)."""
+        return transform(self.poses[:, self.index[patch]], points)
+
+
+def fold(rig: Rig, count: int, pacing: Pacing) -> Sweep:
+    """Close and open the card.
+
+    Parameters
+    ----------
+    rig:
+        The design in MuJoCo, as built: fully open.
+    count:
+        Recorded angles each way.
+    pacing:
+        How slowly.
+    """
+    schedule = Schedule(count, pacing)
+    turns = page_quaternions(schedule.driven)
+    rig.settle(schedule.settle_steps[0])
+    poses, states = [rig.poses()], [rig.data.qpos.copy()]
+    driven = 0
+    for steps, rest in zip(schedule.leg_steps, schedule.settle_steps[1:], strict=True):
+        for turn in turns[driven : driven + steps]:
+            rig.hold(turn)
+            rig.step()
+        driven += steps
+        rig.settle(rest)
+        if not rig.alive:
+            break
+        poses.append(rig.poses())
+        states.append(rig.data.qpos.copy())
+    return Sweep(
+        design=rig.design,
+        theta=schedule.recorded[: len(poses)],
+        poses=np.array(poses),
+        states=np.array(states),
+        complete=len(poses) == len(schedule.recorded),
+    )

@@ -1,0 +1,70 @@
+"""Everything that is measured before anything is judged."""
+
+from dataclasses import dataclass
+
+from popsim.design import Design
+from popsim.simulation.collisions import Contact, find_contacts
+from popsim.simulation.extents import Farthest, flatness, protrusion, reopening
+from popsim.simulation.folding import fold_design
+from popsim.simulation.gaps import Gaps
+from popsim.simulation.passing import find_passing
+from popsim.simulation.stability import FreeMotions, Push, free_motions, push_test
+from popsim.simulation.sweep import Sweep
+from popsim.verification.settings import Settings
+
+
+@dataclass(frozen=True, eq=False)
+class Evidence:
+    """Measurements of one design.
+
+    Attributes
+    ----------
+    sweep, gaps:
+        The recorded motion and the loop gaps in it.
+    scale:
+        Size of the pop-up, mm.
+    free, pushes:
+        Free motions and finite tests with the pages held; empty where loops do not close.
+    flat, reopened, protruding:
+        Greatest lengths over all patches; None where the motion ends early.
+    contacts:
+        Patches that cross while closing, the deepest first.
+    """
+
+    sweep: Sweep
+    gaps: Gaps
+    scale: float
+    free: tuple[FreeMotions, ...] = ()
+    pushes: tuple[Push, ...] = ()
+    flat: Farthest | None = None
+    reopened: Farthest | None = None
+    protruding: Farthest | None = None
+    contacts: tuple[Contact, ...] = ()
+
+    @property
+    def free_count(self) -> int:
+        """Most free motions at any angle."""
+        return max((motion.count for motion in self.free), default=0)
+
+
+def gather(design: Design, settings: Settings) -> Evidence:
+    """Fold `design` and measure."""
+    folding = fold_design(design, settings.angles)
+    rig, sweep, gaps = folding.rig, folding.sweep, folding.gaps
+    if not sweep.complete or not gaps.largest <= settings.play:
+        return Evidence(sweep, gaps, rig.scale)
+    contacts = [
+        *find_contacts(sweep, settings.crossing),
+        *find_passing(sweep, rig.turns.values(), settings.crossing),
+    ]
+    return Evidence(
+        sweep=sweep,
+        gaps=gaps,
+        scale=rig.scale,
+        free=tuple(free_motions(rig, sweep)),
+        pushes=tuple(push_test(rig, sweep)),
+        flat=flatness(sweep),
+        reopened=reopening(sweep),
+        protruding=protrusion(sweep),
+        contacts=tuple(sorted(contacts, key=lambda contact: (-contact.depth, contact.patches))),
+    )

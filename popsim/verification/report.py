@@ -1,0 +1,147 @@
+"""The verdict as a table and as JSON."""
+
+import json
+from typing import Any
+
+import numpy as np
+
+from popsim import __version__
+from popsim.mechanisms import Condition
+from popsim.verification.verdict import Finding, Measure, Verdict
+
+DIGITS = 6
+"""Significant digits in the report: beyond what is measured, and without the noise of the last bits."""
+
+
+def rows(verdict: Verdict) -> list[dict[str, str]]:
+    """One row per aspect and per comparison with the closed forms."""
+    compared = [
+        {
+            "aspect": measure.name,
+            "condition": "closed form",
+            "margin": "",
+            "measured": _amount(measure, measure.value),
+            "tolerance": _amount(measure, measure.tolerance),
+            "where": measure.where,
+            "theory": "",
+            "simulation": "agrees" if measure.holds else "differs",
+            "disagreement": "" if measure.holds else "hole",
+        }
+        for measure in verdict.agreement
+    ]
+    return [_row(finding) for finding in verdict.findings] + compared
+
+
+def to_json(verdict: Verdict) -> str:
+    """The report as JSON text."""
+    return json.dumps(to_dict(verdict), indent=1, allow_nan=False) + "\n"
+
+
+def to_dict(verdict: Verdict) -> dict[str, Any]:
+    """The report as plain data; angles in degrees, lengths in mm."""
+    evidence = verdict.evidence
+    degrees = np.degrees
+    return {
+        "format": "popsim-verdict",
+        "version": 1,
+        "popsim": __version__,
+        "passed": verdict.passed,
+        "grade": verdict.grade,
+        "holes": list(verdict.holes),
+        "slack": list(verdict.slack),
+        "notes": list(verdict.notes),
+        "aspects": [_finding(finding) for finding in verdict.findings],
+        "agreement": [_measure(measure) for measure in verdict.agreement],
+        "ranges": {
+            name: {"measured": _numbers(found), "analytic": None if stated is None else _numbers(stated)}
+            for name, (found, stated) in verdict.ranges.items()
+        },
+        "contacts": [
+            {
+                "patches": list(contact.patches),
+                "first_deg": _number(degrees(contact.first)),
+                "depth": _number(contact.depth),
+                "deepest_deg": _number(degrees(contact.deepest)),
+            }
+            for contact in evidence.contacts
+        ],
+        "free_motions": [
+            {"deg": _number(degrees(motion.theta)), "count": motion.count, "stiffness": _number(motion.stiffness)}
+            for motion in evidence.free
+        ],
+        "pushes": [
+            {
+                "deg": _number(degrees(push.theta)),
+                "moved": _number(push.moved),
+                "left": _number(push.left),
+                "patch": push.patch,
+            }
+            for push in evidence.pushes
+        ],
+        "loop_gap": {
+            "deg": _numbers(evidence.sweep.degrees.tolist()),
+            "gap": _numbers(evidence.gaps.by_angle.tolist()),
+        },
+    }
+
+
+def _finding(finding: Finding) -> dict[str, Any]:
+    broken = [condition for condition in finding.conditions or () if not condition.holds]
+    return {
+        "aspect": finding.aspect,
+        "theory": finding.theory,
+        "simulation": finding.simulation,
+        "disagreement": finding.disagreement,
+        "margin": None if finding.tightest is None else _number(finding.tightest.margin),
+        "tightest": None if finding.tightest is None else _condition(finding.tightest),
+        "broken": [_condition(condition) for condition in broken],
+        "measures": [_measure(measure) for measure in finding.measures],
+        "unjudged": finding.unjudged or None,
+    }
+
+
+def _condition(condition: Condition) -> dict[str, Any]:
+    return {"subject": condition.subject, "name": condition.name, "margin": _number(condition.margin)}
+
+
+def _measure(measure: Measure) -> dict[str, Any]:
+    return {
+        "name": measure.name,
+        "value": _number(measure.value),
+        "tolerance": _number(measure.tolerance),
+        "unit": measure.unit,
+        "holds": measure.holds,
+        "where": measure.where,
+    }
+
+
+def _row(finding: Finding) -> dict[str, str]:
+    worst, tightest = finding.worst, finding.tightest
+    return {
+        "aspect": finding.aspect,
+        "condition": "" if tightest is None else f"{tightest.subject}: {tightest.name}",
+        "margin": "" if tightest is None else f"{tightest.margin:.4g} mm",
+        "measured": "" if worst is None else f"{worst.name} {_amount(worst, worst.value)}",
+        "tolerance": "" if worst is None else _amount(worst, worst.tolerance),
+        "where": finding.unjudged if worst is None else worst.where,
+        "theory": _word(finding.theory),
+        "simulation": _word(finding.simulation),
+        "disagreement": finding.disagreement or "",
+    }
+
+
+def _word(holds: bool | None) -> str:
+    return {True: "pass", False: "refuse", None: "-"}[holds]
+
+
+def _amount(measure: Measure, value: float) -> str:
+    return f"{value:.3g} {measure.unit}".strip()
+
+
+def _numbers(values: Any) -> list[float | None]:
+    return [_number(value) for value in values]
+
+
+def _number(value: float) -> float | None:
+    """Rounded; None for what is no finite number, which JSON cannot say."""
+    return float(f"{float(value):.{DIGITS}g}") + 0.0 if np.isfinite(value) else None

@@ -1,0 +1,45 @@
+"""Tolerances of the verdict."""
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Settings:
+    """How much is recorded and what is allowed; lengths in mm.
+
+    Attributes
+    ----------
+    angles:
+        Recorded fold angles each way.
+    rigid:
+        Largest loop gap of a design that folds without any give.
+    play:
+        Largest loop gap that paper gives way to.
+    flat:
+        Distance from the plane of the closed card. A gap of `rigid` already lets a plate of 30 mm rise by as much.
+    reopened:
+        Distance of any corner from its first place after closing and opening; other branches are off by
+        millimetres.
+    crossing:
+        How far one patch may reach through another: touching is no crossing.
+    protruding:
+        How far anything may stick out of the closed card: half the usual thickness of the paper.
+    pose:
+        Distance of any corner from its closed form between 179 and 1 degree, where loops close rigidly.
+    closing_range:
+        Difference between measured and analytic closing range.
+    pushed:
+        Motion under a small wrench on every patch, and what is left of it after release, of the size of the
+        pop-up; the wrench carries a free plate forty times as far.
+    """
+
+    angles: int = 180
+    rigid: float = 0.001
+    play: float = 0.3
+    flat: float = 0.25
+    reopened: float = 0.25
+    crossing: float = 0.05
+    protruding: float = 0.1
+    pose: float = 0.001
+    closing_range: float = 0.01
+    pushed: float = 5e-3

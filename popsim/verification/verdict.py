@@ -1,0 +1,159 @@
+"""What verification says."""
+
+from dataclasses import dataclass, field
+from typing import Any, Literal
+
+from popsim.mechanisms import Condition
+from popsim.mechanisms.condition import Aspect
+from popsim.verification.evidence import Evidence
+
+Grade = Literal["rigid", "within play", "refused"]
+Disagreement = Literal["hole", "slack"]
+
+
+@dataclass(frozen=True)
+class Measure:
+    """Something measured against its tolerance.
+
+    Attributes
+    ----------
+    name:
+        What.
+    value, tolerance:
+        In `unit`; the value must not exceed the tolerance.
+    unit:
+        "mm", or "" for a number.
+    where:
+        Patch, hinge, angle: whatever tells where to look.
+    """
+
+    name: str
+    value: float
+    tolerance: float
+    unit: str = "mm"
+    where: str = ""
+
+    @property
+    def holds(self) -> bool:
+        """Whether the value is within the tolerance; what is no number is not."""
+        return self.value <= self.tolerance
+
+    @property
+    def excess(self) -> float:
+        """Value over tolerance; above 1 it is broken."""
+        return self.value / self.tolerance if self.tolerance else self.value * float("inf") if self.value else 0.0
+
+
+@dataclass(frozen=True)
+class Finding:
+    """Both verdicts on one aspect.
+
+    Attributes
+    ----------
+    aspect:
+        One of the four.
+    conditions:
+        What the theory states of it; None where there is no theory.
+    measures:
+        What the simulation found; empty where it could not be judged.
+    unjudged:
+        Why not, or "".
+    """
+
+    aspect: Aspect
+    conditions: tuple[Condition, ...] | None
+    measures: tuple[Measure, ...]
+    unjudged: str = ""
+
+    @property
+    def theory(self) -> bool | None:
+        """Verdict of the theory, None without one."""
+        return None if self.conditions is None else all(condition.holds for condition in self.conditions)
+
+    @property
+    def simulation(self) -> bool | None:
+        """Verdict of the simulation, None where it could not judge."""
+        return None if self.unjudged else all(measure.holds for measure in self.measures)
+
+    @property
+    def disagreement(self) -> Disagreement | None:
+        """A hole in the theory (or in the code), slack in its conditions, or None."""
+        if self.theory is None or self.simulation is None or self.theory == self.simulation:
+            return None
+        return "hole" if self.theory else "slack"
+
+    @property
+    def tightest(self) -> Condition | None:
+        """The condition with the least margin."""
+        return min(self.conditions or (), key=lambda condition: condition.margin, default=None)
+
+    @property
+    def worst(self) -> Measure | None:
+        """The measure nearest to, or farthest beyond, its tolerance."""
+        return max(self.measures, key=lambda measure: measure.excess, default=None)
+
+
+@dataclass(frozen=True, eq=False)
+class Verdict:
+    """The whole verdict.
+
+    Attributes
+    ----------
+    findings:
+        Of the four aspects.
+    agreement:
+        How well simulation and closed forms agree; empty where there is nothing to compare.
+    grade:
+        How much give the loops need.
+    ranges:
+        Measured and analytic closing range of each mechanism, mm, by its id; None where the theory has none.
+    notes:
+        Sentences for the reader.
+    evidence:
+        The motion and everything measured in it.
+    """
+
+    findings: tuple[Finding, ...]
+    agreement: tuple[Measure, ...]
+    grade: Grade
+    ranges: dict[str, tuple[tuple[float, float], tuple[float, float] | None]]
+    notes: tuple[str, ...]
+    evidence: Evidence = field(repr=False)
+
+    @property
+    def passed(self) -> bool:
+        """Whether the simulation finds everything in order, and theory and closed forms nothing else."""
+        return all(finding.simulation for finding in self.findings) and not self.holes
+
+    @property
+    def holes(self) -> tuple[str, ...]:
+        """Where the theory passes what the simulation does not find; always an error."""
+        aspects = [finding.aspect for finding in self.findings if finding.disagreement == "hole"]
+        return (*aspects, *(measure.name for measure in self.agreement if not measure.holds))
+
+    @property
+    def slack(self) -> tuple[str, ...]:
+        """Aspects that the theory refuses and the simulation passes."""
+        return tuple(finding.aspect for finding in self.findings if finding.disagreement == "slack")
+
+    def finding(self, aspect: Aspect) -> Finding:
+        """The finding of one aspect."""
+        return next(finding for finding in self.findings if finding.aspect == aspect)
+
+    def rows(self) -> list[dict[str, str]]:
+        """One row of short texts per aspect, for a table."""
+        from popsim.verification.report import rows
+
+        return rows(self)
+
+    def to_json(self) -> str:
+        """The report; the same design gives the same text."""
+        from popsim.verification.report import to_json
+
+        return to_json(self)
+
+    def to_dict(self) -> dict[str, Any]:
+        """The report as plain data."""
+        from popsim.verification.report import to_dict
+
+        return to_dict(self)

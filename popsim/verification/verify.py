@@ -1,0 +1,58 @@
+"""Both verdicts on a design."""
+
+from popsim.design import Design
+from popsim.mechanisms import Condition
+from popsim.mechanisms.condition import Aspect
+from popsim.validity import Theory, examine
+from popsim.verification.agreement import agreement, measured_ranges
+from popsim.verification.evidence import Evidence, gather
+from popsim.verification.judge import grade, judge, rigid_and_steady
+from popsim.verification.settings import Settings
+from popsim.verification.verdict import Finding, Verdict
+
+ASPECTS: tuple[Aspect, ...] = ("foldable", "stable", "clear", "contained")
+"""In the order in which they are told."""
+
+DEFAULT = Settings()
+
+
+def verify(design: Design, settings: Settings = DEFAULT) -> Verdict:
+    """Fold `design`, state its theory, and compare.
+
+    The design is trusted as :func:`popsim.design.parse_design` checks it; of its mechanisms only patches count.
+    """
+    theory = examine(design)
+    evidence = gather(design, settings)
+    findings = tuple(_finding(aspect, theory, evidence, settings) for aspect in ASPECTS)
+    comparable = findings[0].theory is True and rigid_and_steady(evidence, settings)
+    return Verdict(
+        findings=findings,
+        agreement=agreement(evidence.sweep, theory, settings) if comparable else (),
+        grade=grade(evidence, settings),
+        ranges=measured_ranges(evidence.sweep, theory) if comparable else {},
+        notes=_notes(design, evidence, settings),
+        evidence=evidence,
+    )
+
+
+def _finding(aspect: Aspect, theory: Theory, evidence: Evidence, settings: Settings) -> Finding:
+    conditions: tuple[Condition, ...] | None = None
+    if theory.design.mechanisms:
+        conditions = tuple(condition for condition in theory.conditions if condition.aspect == aspect)
+    measures, unjudged = judge(evidence, settings, aspect)
+    return Finding(aspect, conditions, measures, unjudged)
+
+
+def _notes(design: Design, evidence: Evidence, settings: Settings) -> tuple[str, ...]:
+    notes = []
+    if not design.mechanisms:
+        notes.append(
+            "the design names no mechanisms: there is no theory to compare with, the simulation alone decides"
+        )
+    if grade(evidence, settings) == "within play" and evidence.gaps.worst is not None:
+        hinge, _ = evidence.gaps.worst
+        notes.append(
+            f"needs {evidence.gaps.largest:.2g} mm of play at hinge {hinge.id} ({' and '.join(hinge.patches)}); "
+            "a shorter glued length on that edge needs less"
+        )
+    return tuple(notes)
