@@ -240,8 +240,10 @@ class BoxFold(Mechanism):
         return roles
 
     def _top_pair(self, top: Top, roles: tuple[str, str]) -> BasePatchPair:
-        """The top as a card again; end pairs that rise behind it sweep over it and narrow what is free."""
-        low, high = -np.inf, np.inf
+        """The top as a card again; higher tops, and end pairs that sweep over it, narrow what is free."""
+        higher = [other for other in self.tops if other.height > top.height]
+        low = max((other.x1 for other in higher if other.x1 <= top.x0), default=-np.inf)
+        high = min((other.x0 for other in higher if other.x0 >= top.x1), default=np.inf)
         for end in self.end_pairs:
             if end.high > top.height + 1e-9:
                 if end.facing == 1 and end.x <= top.x0 + 1e-9:
