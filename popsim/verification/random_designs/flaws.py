@@ -103,9 +103,7 @@ def _make_wide(rng: Generator, limits: Limits) -> Made:
         if most >= LEAST_CUT:
             by = draw(rng, LEAST_CUT, most)
             card = _cut(growth.card, x=(growth.card.x[0], edge - by))
-            return assemble(
-                card, growth.parts
-            ), f"{foremost.id} sticks {by:g} mm out of the end of the closed page"
+            return assemble(card, growth.parts), f"{foremost.id} sticks {by:g} mm out beside the closed page"
     raise _no_room(limits)
 
 
