@@ -15,7 +15,7 @@ from popsim.fitting.roofs import propose_roof
 from popsim.fitting.rows import propose_row
 from popsim.fitting.snap import Planes, snapped
 from popsim.fitting.volume import Volume
-from popsim.geometry.arrays import BoolArray, FloatArray
+from popsim.geometry.arrays import BoolArray
 from popsim.mechanisms import BasePatchPair, Mechanism, PairKind, Primitive, assemble, card_pair
 from popsim.validity import examine
 
@@ -224,9 +224,3 @@ class _Fitter:
         self.placed.append(Placement(primitive, mechanism, share, mapped.error_cover, alternatives))
         self.field.cover(primitive)
         self.pairs += mechanism.pairs()
-
-
-def territory_of(mechanism: Mechanism) -> FloatArray:
-    """Box around the open faces of a mechanism, rows low and high, shape (2, 3), mm."""
-    corners = np.concatenate([plate.outline for plate in mechanism.plates()])
-    return np.array([corners.min(axis=0), corners.max(axis=0)])

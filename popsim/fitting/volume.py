@@ -49,6 +49,19 @@ class Volume:
         """Position of a cell border along x, mm."""
         return self.x0 + index * self.cell
 
+    def closed(self, radius: int) -> "Volume":
+        """Return the volume with gaps of up to twice `radius` cells filled: what a lattice encloses is solid."""
+        from scipy.ndimage import distance_transform_edt
+
+        whole = np.concatenate([self.solid[1][:, ::-1], self.solid[0]], axis=1)
+        padded = np.pad(whole, radius + 1)
+        grown = distance_transform_edt(~padded) <= radius
+        shrunk = distance_transform_edt(grown) > radius
+        inner = slice(radius + 1, -radius - 1)
+        filled = whole | shrunk[inner, inner, inner]
+        nu = self.shape[1]
+        return Volume(np.stack([filled[:, nu:], filled[:, :nu][:, ::-1]]), self.x0, self.cell)
+
 
 def measure_volume(scene: "RayScene", bounds: FloatArray, cells: int = CELLS) -> Volume:
     """Read a surface as a volume.

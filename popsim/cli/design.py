@@ -1,0 +1,112 @@
+"""`popsim design`."""
+
+from enum import StrEnum
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+if TYPE_CHECKING:
+    from popsim.pipeline import DesignRun, RunSettings
+
+
+class Up(StrEnum):
+    """Model axes that may point up."""
+
+    AUTO, X, Y, Z, NX, NY, NZ = "auto", "x", "y", "z", "-x", "-y", "-z"
+
+
+class Front(StrEnum):
+    """Model axes that may point to the front."""
+
+    X, Y, Z, NX, NY, NZ = "x", "y", "z", "-x", "-y", "-z"
+
+
+class Align(StrEnum):
+    """How the heading is found."""
+
+    NPCA, EDGES, NONE = "npca", "edges", "none"
+
+
+class Fold(StrEnum):
+    """Along which side the central fold runs."""
+
+    AUTO, LONG, SHORT = "auto", "long", "short"
+
+
+def design(
+    model: Annotated[Path, typer.Argument(metavar="MODEL", help="OBJ, STL, PLY, OFF, GLB, glTF or 3MF.")],
+    output: Annotated[
+        Path | None, typer.Option("--output", "-o", help="Folder to write; by default MODEL's name and -popup.")
+    ] = None,
+    up: Annotated[Up, typer.Option(help="Model axis that points up.")] = Up.AUTO,
+    front: Annotated[Front | None, typer.Option(help="Model axis that points to the front.")] = None,
+    align: Annotated[Align, typer.Option(help="Heading by normals, by long edges, or as it is.")] = Align.NPCA,
+    fold: Annotated[Fold, typer.Option(help="Side along which the central fold runs.")] = Fold.AUTO,
+    size: Annotated[
+        str | None, typer.Option(help="Longest side of the model, e.g. 120mm; by default what the paper allows.")
+    ] = None,
+    detail: Annotated[float, typer.Option(help="0: few patches, 1: many.")] = 0.5,
+    max_patches: Annotated[int, typer.Option(help="Never make more patches.")] = 120,
+    paper: Annotated[str, typer.Option(help="A4, A3, Letter, ... or a size as 300x400mm.")] = "A4",
+    style: Annotated[str, typer.Option(help="Line style of the sheets.")] = "origami",
+    dpi: Annotated[float, typer.Option(help="Resolution of the prints.")] = 300.0,
+    seed: Annotated[int, typer.Option(help="Of everything random; the report states it.")] = 0,
+    allow_unverified: Annotated[
+        bool, typer.Option("--allow-unverified", help="Export even what does not fold, every sheet marked.")
+    ] = False,
+    force: Annotated[bool, typer.Option("--force", help="Write into a folder that is not empty.")] = False,
+) -> None:
+    """Design a pop-up of a 3D model, fold it in MuJoCo, and export its sheets if it passes.
+
+    Exit code 0: designed and verified. 1: it does not fold, see the report. 2: something is wrong with the input.
+    """
+    from popsim.cli.table import print_verdict
+    from popsim.fitting import FitSettings
+    from popsim.patches import PatchSettings
+    from popsim.pipeline import RunSettings, run_design
+    from popsim.pipeline.deliver import check_folder, deliver
+    from popsim.pipeline.prepare import Stance
+    from popsim.units import parse_length
+
+    folder = output or Path(f"{model.stem}-popup")
+    settings = RunSettings(
+        stance=Stance(up.value, None if front is None else front.value, align.value, fold.value),
+        fit=FitSettings(detail=detail, most_patches=max_patches),
+        patches=PatchSettings(dpi=dpi),
+        size=150.0 if size is None else parse_length(size, "--size"),
+        exact_size=size is not None,
+        paper=paper,
+        style=style,
+        seed=seed,
+        allow_unverified=allow_unverified,
+    )
+    settings.check_choices()
+    check_folder(folder, force)
+    run = run_design(model, settings, lambda stage: typer.echo(f"{stage} ...", err=True))
+    command = _command(model, settings)
+    files = deliver(run, folder, command=command, footer=_footer(run, command), force=force)
+    print_verdict(run.verdict, model.name)
+    kinds = ", ".join(f"{m.mechanism.id} {m.mechanism.type}" for m in run.fit.placements)
+    typer.echo(f"{len(run.design.popup_patches)} patches: {kinds}")
+    typer.echo(f"{len(files)} files in {folder}")
+    raise typer.Exit(0 if run.verdict.passed else 1)
+
+
+def _command(model: Path, settings: "RunSettings") -> str:
+    """The options that reproduce a run, without the folder it was written to."""
+    stance = settings.stance
+    words = ["popsim design", model.name, f"--up {stance.up}", f"--align {stance.align}", f"--fold {stance.fold}"]
+    if stance.front:
+        words.append(f"--front {stance.front}")
+    if settings.exact_size:
+        words.append(f"--size {settings.size:g}mm")
+    words += [f"--detail {settings.fit.detail:g}", f"--max-patches {settings.fit.most_patches}"]
+    words += [f"--paper '{settings.paper}'", f"--dpi {settings.patches.dpi:g}", f"--seed {settings.seed}"]
+    return " ".join(words)
+
+
+def _footer(run: "DesignRun", command: str) -> str:
+    from popsim import __version__
+
+    return f"popsim {__version__} · {command} · input sha256 {run.prepared.model.sha256[:16]}"

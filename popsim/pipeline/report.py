@@ -1,0 +1,67 @@
+"""The report of a run, for people and machines; the same input gives the same bytes."""
+
+from typing import Any
+
+from popsim import __version__
+from popsim.layout import Layout
+from popsim.pipeline.run import DesignRun
+
+
+def report_of(run: DesignRun, layout: Layout | None, command: str) -> dict[str, Any]:
+    """The report as plain data; `layout` is None where nothing was exported."""
+    prepared, fit = run.prepared, run.fit
+    return {
+        "format": "popsim-report",
+        "version": 1,
+        "popsim": __version__,
+        "command": command,
+        "seed": run.settings.seed,
+        "source": {"file": prepared.model.path.name, "sha256": prepared.model.sha256},
+        "passed": run.verdict.passed,
+        "alignment": {
+            "axes": list(prepared.alignment.axes),
+            "confidence": _rounded(prepared.alignment.confidence),
+            "symmetry": _rounded(prepared.alignment.symmetry.score),
+            "reasons": list(prepared.alignment.reasons),
+        },
+        "fit": {
+            "error_fit": _rounded(fit.error_fit),
+            "placements": [
+                {
+                    "mechanism": placement.mechanism.id,
+                    "type": placement.mechanism.type,
+                    "base": list(placement.mechanism.pair.patches),
+                    "primitive": placement.primitive.kind,
+                    "gain": _rounded(placement.gain),
+                    "error_cover": _rounded(placement.error_cover),
+                    "alternatives": [
+                        {"type": kind, "error_cover": _rounded(error)} for kind, error in placement.alternatives
+                    ],
+                }
+                for placement in fit.placements
+            ],
+        },
+        "patches": {
+            "count": len(run.design.popup_patches),
+            "renderer": run.painted.renderer,
+            "cut_length_mm": _rounded(run.painted.cut_length),
+            "vertices": run.painted.vertices,
+        },
+        "layout": None if layout is None else _layout(layout),
+        "verification": run.verdict.to_dict(),
+        "notes": list(run.notes),
+    }
+
+
+def _layout(layout: Layout) -> dict[str, Any]:
+    return {
+        "paper": layout.paper.name,
+        "sheets": layout.sheet_count,
+        "pieces": len(layout.pieces),
+        "flaps": len(layout.flaps),
+    }
+
+
+def _rounded(value: float) -> float:
+    """Six decimals: what is worth reading, and the same on every machine."""
+    return round(float(value), 6)

@@ -1,0 +1,23 @@
+"""Lengths as people write them; inside popsim they are millimetres."""
+
+import math
+import re
+
+from popsim.errors import InputError
+
+_MM = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "in": 25.4, '"': 25.4, "pt": 25.4 / 72}
+
+
+def parse_length(text: str, name: str) -> float:
+    """Return a length in mm; a bare number is millimetres.
+
+    Raises
+    ------
+    InputError
+        The text is no positive length.
+    """
+    match = re.fullmatch(r'\s*([0-9]*\.?[0-9]+(?:e[+-]?[0-9]+)?)\s*(mm|cm|m|in|pt|")?\s*', text, re.IGNORECASE)
+    value = float(match[1]) * _MM[(match[2] or "mm").lower()] if match else math.nan
+    if not (math.isfinite(value) and value > 0):
+        raise InputError(f"{name}: {text!r} is not a length; write for example 150mm, 15cm or 6in")
+    return value
