@@ -29,6 +29,8 @@ SAMPLES = 2500
 """Points that stand for the model here; mirror scores repeat to about 0.02."""
 EQUAL_SYMMETRY = 0.08
 """Mirror planes whose scores differ by less are equally good, and the longer side decides."""
+ASYMMETRIC = 0.5
+"""Below this score the model has no mirror plane to speak of, and the longer side decides."""
 SQUARE = 1.02
 """Sides whose ratio is below this are equally long."""
 LEAN = 0.004
@@ -146,7 +148,8 @@ def _fold_side(heading: Heading, fold: Fold, front: str | None) -> tuple[int, st
         along = longer if fold == "long" else 1 - longer
         return along, f"the fold runs along the {fold} side, as told; mirror score {scores[along]:.2f}"
     better = 0 if scores[0] >= scores[1] else 1
-    if abs(scores[0] - scores[1]) > EQUAL_SYMMETRY or max(first, second) < SQUARE * min(first, second):
+    unequal = max(scores) > ASYMMETRIC and abs(scores[0] - scores[1]) > EQUAL_SYMMETRY
+    if unequal or max(first, second) < SQUARE * min(first, second):
         return better, f"the fold lies in the best mirror plane, score {scores[better]:.2f} of 1"
     return longer, f"the fold runs along the longer side; mirror score {scores[longer]:.2f} of 1"
 

@@ -26,6 +26,8 @@ VAGUE = 0.3
 """If the best heading stands out less than this, that of the model's own axes is offered too."""
 CANDIDATES = 400
 """Normals that are tried as principal axis; samples are spread evenly, so every large face is among them."""
+WALL = 0.9
+"""Faces whose normal has a horizontal part above this are walls."""
 STEEP = 0.5
 """Normals whose horizontal part is shorter say little about the heading."""
 SHARP = np.cos(np.radians(30))
@@ -90,6 +92,22 @@ def principal_axes(samples: Samples) -> FloatArray:
     second = second - (second @ first) * first
     second /= np.linalg.norm(second)
     return np.stack([first, second, np.cross(first, second)])
+
+
+def axes_about(samples: Samples, axis: int) -> FloatArray:
+    """Return coordinate axis `axis` (0..2) and the two directions across it that most normals follow, (3, 3)."""
+    up = np.eye(3)[axis]
+    level = samples.normals - samples.normals[:, [axis]] * up
+    length = np.linalg.norm(level, axis=1)
+    wall = length > WALL
+    if not wall.any():
+        return np.eye(3)
+    walls = level[wall] / length[wall, None]
+    tried = walls[:: len(walls) // CANDIDATES + 1]
+    along = np.abs(tried @ walls.T)
+    either = np.maximum(along, np.sqrt(np.clip(1 - along**2, 0, 1)))  # a heading and its perpendicular
+    first = tried[((either > NEAR) @ samples.area[wall]).argmax()]
+    return np.stack([first, np.cross(up, first), up])
 
 
 def axis_share(samples: Samples, axes: FloatArray) -> float:

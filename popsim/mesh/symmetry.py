@@ -15,6 +15,8 @@ BINS = 128
 """Slabs in which the area is gathered to guess where off-centre planes may lie."""
 MIDDLE_MARGIN = 0.06
 """An off-centre plane must score this much higher than the one through the middle of the bounding box."""
+SCORE_NOISE = 0.01
+"""Scores repeat to about this when the samples change; a shift by a part of the spacing must gain more."""
 WORTH_OFF_CENTRE = 0.6
 """Below this score a surface is hardly symmetric, and no plane but the middle one is worth its off-centre fold."""
 
@@ -69,12 +71,15 @@ class MirrorSearch:
         """
         middle = (extent[0] + extent[1]) / 2
         tolerance = self._samples.spacing / 4
-        central = self._refined(normal, middle)
-        if abs(central - middle) > tolerance or self.score(normal, middle) >= self.score(normal, central):
-            central = middle
-        best, best_score = central, self.score(normal, central)
+        best, best_score = middle, self.score(normal, middle)
+        refined = self._refined(normal, middle)
+        if abs(refined - middle) <= tolerance and self.score(normal, refined) > best_score + SCORE_NOISE:
+            best, best_score = refined, self.score(normal, refined)
         needed = max(best_score + MIDDLE_MARGIN, WORTH_OFF_CENTRE)
-        guesses = [float(self._weight @ self._samples.points @ normal)]  # lies in every perfect mirror plane
+        guesses = [
+            refined,
+            float(self._weight @ self._samples.points @ normal),
+        ]  # every perfect plane holds the centroid
         if not quick:
             guesses += self._guesses(normal, extent)
         for guess in guesses:

@@ -14,7 +14,7 @@ import numpy as np
 from popsim.errors import MeshError
 from popsim.geometry.arrays import FloatArray, locked
 from popsim.geometry.surface import Surface
-from popsim.mesh.directions import axis_share, principal_axes
+from popsim.mesh.directions import axes_about, axis_share, principal_axes
 from popsim.mesh.formats import OTHER_AXIS
 from popsim.mesh.sampling import Samples
 from popsim.mesh.symmetry import MirrorSearch
@@ -192,19 +192,4 @@ def _hull_share(points: FloatArray) -> float:
 
 def _is_askew(samples: Samples, axes: FloatArray, up: int) -> bool:
     """Whether the faces line up with `axes` much better than with any frame about the coordinate axis `up`."""
-    return axis_share(samples, axes) > axis_share(samples, _frame_about(samples, up)) + ASKEW_GAIN
-
-
-def _frame_about(samples: Samples, axis: int) -> FloatArray:
-    """Coordinate axis `axis` and the two directions across it that most normals follow, shape (3, 3)."""
-    up = np.eye(3)[axis]
-    level = samples.normals - samples.normals[:, [axis]] * up
-    length = np.linalg.norm(level, axis=1)
-    wall = length > 0.9
-    if not wall.any():
-        return np.eye(3)
-    walls = level[wall] / length[wall, None]
-    near = np.abs(walls @ walls.T)
-    near = np.maximum(near, np.sqrt(np.clip(1 - near**2, 0, 1)))  # a heading and its perpendicular
-    first = walls[((near > np.cos(np.radians(4))) @ samples.area[wall]).argmax()]
-    return np.stack([first, np.cross(up, first), up])
+    return axis_share(samples, axes) > axis_share(samples, axes_about(samples, up)) + ASKEW_GAIN
