@@ -5,23 +5,24 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from popsim.verification import Verdict
 
-_COLUMNS = ("aspect", "theory", "margin", "simulation", "measured", "tolerance", "where", "disagreement")
-
 
 def print_verdict(verdict: "Verdict", name: str) -> None:
     """Print table, notes and the one line that counts."""
     from rich import box
     from rich.console import Console
+    from rich.markup import escape
     from rich.table import Table
 
-    console = Console(highlight=False, soft_wrap=False)
-    rows = verdict.rows()
-    table = Table(box=box.SIMPLE_HEAD, pad_edge=False)
-    shown = [column for column in _COLUMNS if any(row[column] for row in rows)]
-    for column in shown:
-        table.add_column(column)
-    for row in rows:
-        table.add_row(*(_coloured(row[column]) for column in shown))
+    console = Console(highlight=False)
+    table = Table("", "theory", "simulation", "measured", box=box.SIMPLE_HEAD, pad_edge=False)
+    for row in verdict.rows():
+        where = f", {row['where']}" if row["where"] else ""
+        table.add_row(
+            row["aspect"],
+            f"{_coloured(row['theory'])} {row['margin']}".strip(),
+            _coloured(row["simulation"]) + (f" ({_coloured(row['disagreement'])})" if row["disagreement"] else ""),
+            f"{escape(row['measured'])} (at most {row['tolerance']}){escape(where)}",
+        )
     console.print(table)
     for note in verdict.notes:
         console.print(f"note: {note}", markup=False)

@@ -10,6 +10,9 @@ from popsim.mechanisms import BasePatchPair, PairKind, Primitive, PrismRow, Rect
 STRAIGHT = 0.95
 """|cos| of a normal to an axis above which its face lies across that axis."""
 
+MICROMETRE = 3
+"""Decimals of positions, mm: enough for paper, and free of the noise that tessellation leaves."""
+
 STRONG = 0.004
 """Share of the model's area that a plane needs before a border is moved to it."""
 
@@ -43,7 +46,7 @@ class Planes:
             weight = np.bincount(index, share, len(found))
             mean = np.bincount(index, share * at, len(found)) / np.maximum(weight, 1e-12)
             keep = weight > STRONG
-            positions.append(np.asarray(mean[keep], float))
+            positions.append(np.round(mean[keep], MICROMETRE))
             weights.append(np.asarray(weight[keep], float))
         return Planes((positions[0], positions[1], positions[2]), (weights[0], weights[1], weights[2]))
 

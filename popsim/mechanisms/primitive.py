@@ -45,7 +45,7 @@ class RectangularPrism:
 
 @dataclass(frozen=True)
 class PrismRow:
-    """Rectangular prisms of one width that adjoin along x and stand on one level: what layers represent (Sec. 4.3).
+    """Rectangular prisms of one width that adjoin along x on one level: what layers represent (Sec. 4.3).
 
     Attributes
     ----------
@@ -66,6 +66,8 @@ class PrismRow:
     def __post_init__(self) -> None:
         for prism in self.prisms():
             _size(prism.low, prism.high)
+        if not self.tops:
+            raise GeometryError("a row needs at least one prism")
         if any(left[1] != right[0] for left, right in pairwise(self.tops)):
             raise GeometryError("the prisms of a row adjoin; found a gap or an overlap")
 

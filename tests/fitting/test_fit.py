@@ -1,0 +1,101 @@
+"""Models whose abstraction is known."""
+
+import numpy as np
+import pytest
+from fitting_surfaces import block, measured, roof, subdivided, surface
+
+from popsim.design import Card
+from popsim.errors import InputError
+from popsim.fitting import Fit, FitSettings, fit
+from popsim.fitting.mapping import error_cover, mappings
+from popsim.geometry.surface import Surface
+from popsim.mechanisms import RectangularPrism, assemble, card_pair
+from popsim.mechanisms.box_fold import BoxFold
+from popsim.validity import examine
+
+PAIR = card_pair(Card(x=(-500.0, 500.0), depth=500.0))
+
+
+def fitted(shape: Surface, **settings: float) -> Fit:
+    return fit(*measured(shape), FitSettings(**settings))
+
+
+def types(found: Fit) -> list[tuple[str, tuple[str, str]]]:
+    return [(p.mechanism.type, p.mechanism.pair.patches) for p in found.placements]
+
+
+def test_block_becomes_one_box_of_exactly_its_size() -> None:
+    found = fitted(surface(block((-48.3, -20.7, 0), (48.3, 20.7, 31.9))))
+    assert types(found) == [("box-fold", ("G", "B"))]
+    box = found.mechanisms[0]
+    assert isinstance(box, BoxFold)
+    assert box.half_width == pytest.approx(20.7, abs=1e-6)
+    assert box.x == pytest.approx((-48.3, 48.3), abs=1e-6)
+    assert box.height == pytest.approx(31.9, abs=1e-6)
+    assert found.error_fit < 0.05
+
+
+def test_tessellation_does_not_matter() -> None:
+    coarse = block((-48.3, -20.7, 0), (48.3, 20.7, 31.9))
+    one, two = fitted(surface(coarse)), fitted(surface(subdivided(coarse, 4)))
+    assert one.mechanisms[0].parameters() == two.mechanisms[0].parameters()
+
+
+def test_pickup_becomes_one_box_with_layers() -> None:
+    found = fitted(surface(block((-48, -20, 0), (48, 20, 20)), block((-10, -20, 20), (20, 20, 40))))
+    assert types(found) == [("box-fold", ("G", "B"))]
+    assert [round(top.height) for top in found.mechanisms[0].tops] == [20, 40, 20]
+
+
+def test_tower_on_a_plinth_becomes_a_box_on_a_box() -> None:
+    found = fitted(surface(block((-48, -40, 0), (48, 40, 30)), block((-20, -15, 30), (20, 15, 80))))
+    assert types(found) == [("box-fold", ("G", "B")), ("box-fold", ("M1.T_G", "M1.T_B"))]
+
+
+def test_gable_roof_becomes_a_tent_on_a_box() -> None:
+    found = fitted(surface(block((-48, -25, 0), (48, 25, 30)), roof((-48, -25, 30), (48, 25, 55))))
+    assert types(found) == [("box-fold", ("G", "B")), ("tent-fold", ("M1.T_G", "M1.T_B"))]
+
+
+def test_annex_on_one_side_becomes_a_step_there() -> None:
+    found = fitted(surface(block((-48, -20, 0), (48, 20, 60)), block((-40, 20, 0), (40, 38, 25))))
+    assert types(found) == [("box-fold", ("G", "B")), ("step-fold", ("G", "M1.L"))]
+
+
+def test_detail_never_takes_patches_away() -> None:
+    shape = surface(
+        *(block((-48 + 8 * k, -40 + 6 * k, 0), (48 - 8 * k, 40 - 6 * k, 12.0 * (k + 1))) for k in range(5))
+    )
+    counts = [
+        len(assemble(Card(x=(-900, 900), depth=900), fitted(shape, detail=d).mechanisms).popup_patches)
+        for d in (0.2, 0.5, 0.8)
+    ]
+    assert counts == sorted(counts)
+    assert counts[0] < counts[-1]
+
+
+def test_every_fit_meets_the_theory() -> None:
+    rng = np.random.default_rng(7)
+    for _ in range(3):
+        parts = []
+        for _ in range(4):
+            low = rng.uniform((-48, -30, 0), (10, 0, 0))
+            parts.append(block(tuple(low), tuple(low + rng.uniform((20, 10, 10), (38, 30, 50)))))
+        found = fitted(surface(*parts), detail=0.8)
+        design = assemble(Card(x=(-900, 900), depth=900), found.mechanisms)
+        assert examine(design).holds
+
+
+def test_error_cover_of_a_plain_box_is_its_bottom() -> None:
+    prism = RectangularPrism((-30.0, -20.0, 0.0), (30.0, 20.0, 50.0))
+    mapped = mappings(prism, PAIR, "M1")
+    assert [m.mechanism.type for m in mapped] == ["box-fold"]
+    total = 2 * (60 * 40 + 60 * 50 + 40 * 50)
+    assert error_cover(mapped[0].mechanism, prism) == pytest.approx(60 * 40 / total)
+
+
+def test_settings_out_of_range_are_refused() -> None:
+    with pytest.raises(InputError, match="detail"):
+        FitSettings(detail=1.5)
+    with pytest.raises(InputError, match="patches"):
+        FitSettings(most_patches=1)
