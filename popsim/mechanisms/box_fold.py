@@ -22,6 +22,7 @@ from popsim.mechanisms.base import (
     rectangle,
     require_positive,
 )
+from popsim.mechanisms.box_fold_contours import end_depth, end_room, side_room, top_depth, top_room
 from popsim.mechanisms.fault import Fault
 from popsim.mechanisms.members import Members
 from popsim.mechanisms.pair import BasePatchPair, PairKind
@@ -105,21 +106,23 @@ class BoxFold(Mechanism):
 
     def plates(self) -> tuple[Plate, ...]:
         w, v = self.half_width, self.pair.v
+        across = np.array([0.0, 1.0, 0.0])
         plates = [
-            Plate("L", self.profile(w), np.array([0.0, 1.0, 0.0])),
-            Plate("R", self.profile(-w), np.array([0.0, -1.0, 0.0])),
-            Plate("C", self.profile(0.0), np.array([0.0, 1.0, 0.0]), principal=False),
+            Plate("L", self.profile(w), across, room=side_room(self, w), behind=w),
+            Plate("R", self.profile(-w), -across, room=side_room(self, -w), behind=w),
+            Plate("C", self.profile(0.0), across, principal=False),
         ]
-        for top, (ground, backdrop) in zip(self.tops, self.top_roles(), strict=True):
-            ridge = np.array([0.0, 0.0, v + top.height])
-            for role, y in ((ground, w), (backdrop, -w)):
-                edge = ridge + np.array([0.0, y, 0.0])
-                plates.append(Plate(role, rectangle((top.x0, top.x1), ridge, edge), Z_AXIS))
+        for top, roles in zip(self.tops, self.top_roles(), strict=True):
+            ridge, depth = np.array([0.0, 0.0, v + top.height]), top_depth(self, top)
+            for role, sign in zip(roles, (1, -1), strict=True):
+                face = rectangle((top.x0, top.x1), ridge, ridge + sign * w * across)
+                plates.append(Plate(role, face, Z_AXIS, room=top_room(self, top, sign), behind=depth))
         for end, roles in zip(self.end_pairs, self.end_roles(), strict=True):
-            for role, y in zip(roles, (w, -w), strict=True):
-                corners = [(y, end.low), (0.0, end.low), (0.0, end.high), (y, end.high)]
-                outline = np.array([[end.x, across, v + z] for across, z in corners])
-                plates.append(Plate(role, outline, end.facing * X_AXIS))
+            for role, sign in zip(roles, (1, -1), strict=True):
+                corners = [(sign * w, end.low), (0.0, end.low), (0.0, end.high), (sign * w, end.high)]
+                face = np.array([[end.x, y, v + z] for y, z in corners])
+                room, depth = end_room(self, end, sign), end_depth(self)
+                plates.append(Plate(role, face, end.facing * X_AXIS, room=room, behind=depth))
         return tuple(plates)
 
     def joints(self) -> tuple[Joint, ...]:

@@ -1,4 +1,7 @@
-"""Outlines that scissors can follow: nothing thinner than they cut, straight where it may be."""
+"""Outlines that scissors can follow: nothing thinner than they cut, straight where it may be.
+
+Shapes are areas: any number of polygons, possibly none. Overlays are taken on a grid, on which they cannot fail.
+"""
 
 from typing import TYPE_CHECKING
 
@@ -14,34 +17,63 @@ SIMPLIFY = 0.6
 """Share of the tolerance left to simplification; pixels and cleaning take the rest."""
 
 GRAIN = 1e-6
-"""mm; coordinates of outlines are rounded to this, so that unions leave no splinters."""
+"""mm; coordinates of outlines are rounded to this."""
 
 ROUNDING = 0.02
 """mm; paper narrower than this is a rounding error."""
 
 
+def union(*shapes: "BaseGeometry") -> "BaseGeometry":
+    """What lies in any of the shapes."""
+    from shapely import union_all
+
+    return area(union_all([area(shape) for shape in shapes], grid_size=GRAIN))
+
+
+def common(first: "BaseGeometry", second: "BaseGeometry") -> "BaseGeometry":
+    """What lies in both shapes."""
+    from shapely import intersection
+
+    return area(intersection(area(first), area(second), grid_size=GRAIN))
+
+
+def without(first: "BaseGeometry", second: "BaseGeometry") -> "BaseGeometry":
+    """What lies in the first shape only."""
+    from shapely import difference
+
+    return area(difference(area(first), area(second), grid_size=GRAIN))
+
+
+def area(shape: "BaseGeometry") -> "BaseGeometry":
+    """The polygons of any geometry, without its lines and points."""
+    from shapely import get_parts
+    from shapely.geometry import MultiPolygon
+
+    if shape.geom_type in ("Polygon", "MultiPolygon"):
+        return shape
+    return MultiPolygon([part for part in get_parts(shape, False) if part.geom_type == "Polygon"])
+
+
 def opened(shape: "BaseGeometry", width: float) -> "BaseGeometry":
     """`shape` without its parts narrower than `width`."""
     half = width / 2
-    return _offset(_offset(shape, -half), half).intersection(shape)
+    return common(_offset(_offset(shape, -half), half), shape)
 
 
 def closed(shape: "BaseGeometry", width: float) -> "BaseGeometry":
     """`shape` with slits and holes narrower than `width` filled."""
     half = width / 2
-    return _offset(_offset(shape, half), -half).union(shape)
+    return union(_offset(_offset(shape, half), -half), shape)
 
 
 def cuttable(wanted: "BaseGeometry", room: "Polygon", settings: PatchSettings) -> "BaseGeometry":
     """A silhouette as paper can be cut: no slit, hole or strip thinner than the settings allow."""
-    filled = closed(wanted, settings.thinnest).intersection(room)
-    return opened(filled, settings.thinnest)
+    return opened(common(closed(wanted, settings.thinnest), room), settings.thinnest)
 
 
 def straightened(shape: "BaseGeometry", face: "Polygon", snap: float) -> "BaseGeometry":
     """`shape` ending exactly at the edges of its face wherever it reaches less than `snap` beyond them."""
-    beyond = opened(shape.difference(face), snap)
-    return shape.intersection(face).union(beyond.buffer(GRAIN)).intersection(shape)
+    return union(common(shape, face), opened(without(shape, face), snap))
 
 
 def simplified(shape: "BaseGeometry", settings: PatchSettings) -> "BaseGeometry":
@@ -50,11 +82,11 @@ def simplified(shape: "BaseGeometry", settings: PatchSettings) -> "BaseGeometry"
 
 
 def polygons(shape: "BaseGeometry") -> list["Polygon"]:
-    """The polygons of any geometry, the largest first; rounding errors are left out."""
+    """The polygons of a shape, the largest first; rounding errors are left out."""
     from shapely import get_parts
 
-    parts = [part for part in get_parts(shape) if part.geom_type == "Polygon"]
-    return sorted((p for p in parts if not p.buffer(-ROUNDING / 2).is_empty), key=lambda p: -p.area)
+    parts = [part for part in get_parts(area(shape)) if not part.buffer(-ROUNDING / 2).is_empty]
+    return sorted(parts, key=lambda part: -part.area)
 
 
 def _offset(shape: "BaseGeometry", by: float) -> "BaseGeometry":

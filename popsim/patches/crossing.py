@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from popsim.geometry.arrays import FloatArray
+from popsim.patches.clean import common, without
 from popsim.patches.hold import Run
 
 if TYPE_CHECKING:
@@ -30,13 +31,13 @@ def uncross(first: Run, second: Run) -> None:
     if shared.length <= TOUCH:
         return
     run, overhang = min(zip((first, second), overhangs, strict=True), key=lambda pair: pair[1].area)
-    run.piece.shape = run.piece.shape.difference(overhang)
+    run.piece.shape = without(run.piece.shape, overhang)
 
 
 def _overhang(run: Run) -> "BaseGeometry":
     """The part of the outline beyond the axis, and not in the face."""
     assert run.inward is not None  # asked by the caller
-    return run.piece.shape.intersection(_beyond(run, run.inward)).difference(run.piece.face)
+    return without(common(run.piece.shape, _beyond(run, run.inward)), run.piece.face)
 
 
 def _beyond(run: Run, inward: FloatArray) -> "Polygon":

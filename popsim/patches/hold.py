@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from popsim.geometry.arrays import BoolArray, FloatArray
+from popsim.patches.clean import common, union
 from popsim.patches.piece import Piece
 from popsim.patches.settings import PatchSettings
 
@@ -96,10 +97,10 @@ class Run:
 
         start, end = self.places(np.array([low, high]))
         if self.inward is None:
-            return LineString([start, end]).buffer(BAND, cap_style="flat").intersection(self.piece.face)
+            return common(LineString([start, end]).buffer(BAND, cap_style="flat"), self.piece.face)
         heights = np.interp([low, *along, high], along, depth + OVERLAP)
         far = self.places(np.array([low, *along, high])) + self.inward * heights[:, None]
-        return Polygon([start, *far, end]).buffer(0).intersection(self.piece.face)
+        return common(Polygon([start, *far, end]).buffer(0), self.piece.face)
 
 
 def hold(runs: list[Run], settings: PatchSettings) -> bool:
@@ -123,7 +124,7 @@ def hold(runs: list[Run], settings: PatchSettings) -> bool:
         for low, high in stretches:
             within = (along > low) & (along < high)
             strip = run.strip(low, high, along[within], np.minimum(distance[within], limit))
-            run.piece.shape = run.piece.shape.union(strip)
+            run.piece.shape = union(run.piece.shape, strip)
             run.piece.held.append(strip)
     return bool(limit > settings.snap)
 

@@ -2,13 +2,12 @@
 
 from typing import TYPE_CHECKING
 
-from popsim.patches.clean import GRAIN, polygons, simplified, straightened
+from popsim.patches.clean import common, polygons, simplified, straightened, union
 from popsim.patches.piece import Piece
 from popsim.patches.settings import PatchSettings
 
 if TYPE_CHECKING:
     from shapely.geometry import Polygon
-    from shapely.geometry.base import BaseGeometry
 
 NEAR = 4.0
 """mm; islands nearer than this are joined by a bridge."""
@@ -25,15 +24,12 @@ def finished(piece: Piece, settings: PatchSettings) -> tuple["Polygon", list[str
 
     Where nothing is left it is the face.
     """
-    from shapely import set_precision, union_all
-
-    shape = union_all([simplified(piece.shape, settings), *piece.held])
+    shape = union(simplified(piece.shape, settings), *piece.held)
     shape = straightened(shape, piece.face, settings.snap)
     outline, notes = _one_piece(polygons(shape), piece)
     if outline is None:
         return piece.face, [f"{piece.id}: the model does not show on it; it is the plain face"]
-    exact = polygons(set_precision(outline, GRAIN))
-    return _without_small_holes(exact[0], piece, settings), notes
+    return _without_small_holes(outline, piece, settings), notes
 
 
 def _one_piece(parts: list["Polygon"], piece: Piece) -> tuple["Polygon | None", list[str]]:
@@ -53,18 +49,12 @@ def _joined(main: "Polygon", island: "Polygon", piece: Piece) -> "Polygon":
     """Two polygons joined by a bridge, or by all of the face between them."""
     from shapely import shortest_line
 
-    bridge = shortest_line(main, island).buffer(BRIDGE / 2, cap_style="square").intersection(piece.room)
-    for link in (bridge, main.union(island).convex_hull.intersection(piece.face), piece.face):
-        parts = polygons(_union(main, island, link))
+    bridge = common(shortest_line(main, island).buffer(BRIDGE / 2, cap_style="square"), piece.room)
+    for link in (bridge, common(union(main, island).convex_hull, piece.face), piece.face):
+        parts = polygons(union(main, island, link))
         if len(parts) == 1:
             return parts[0]
     return main
-
-
-def _union(*shapes: "BaseGeometry") -> "BaseGeometry":
-    from shapely import union_all
-
-    return union_all(list(shapes), grid_size=GRAIN)
 
 
 def _without_small_holes(outline: "Polygon", piece: Piece, settings: PatchSettings) -> "Polygon":

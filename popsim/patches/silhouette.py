@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from popsim.geometry.arrays import BoolArray
+from popsim.patches.clean import union, without
 from popsim.patches.sight import Grid
 
 if TYPE_CHECKING:
@@ -40,6 +41,4 @@ def _turned(contour: Any) -> float:
 
 
 def _joined(outer: list[Any], holes: list[Any]) -> "BaseGeometry":
-    from shapely import union_all
-
-    return union_all([ring.buffer(0) for ring in outer]).difference(union_all([ring.buffer(0) for ring in holes]))
+    return without(union(*(ring.buffer(0) for ring in outer)), union(*(ring.buffer(0) for ring in holes)))

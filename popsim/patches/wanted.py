@@ -6,6 +6,7 @@ import numpy as np
 
 from popsim.geometry.arrays import FloatArray
 from popsim.geometry.plane import Plane
+from popsim.patches.clean import common
 from popsim.patches.piece import Piece
 from popsim.patches.settings import PatchSettings
 from popsim.patches.sight import Grid, look
@@ -38,9 +39,9 @@ def wanted(scene: RayScene, piece: Piece, settings: PatchSettings) -> "BaseGeome
         back_grid = Grid.over(_turned(piece.plane), _mirrored(piece.room.bounds), settings.pixel)
         back = look(scene, back_grid, piece.box, -REACH, 0.0)
         both = front.mask & back.mask[:, ::-1]
-        return mask_polygon(both, grid).intersection(piece.face)
+        return common(mask_polygon(both, grid), piece.face)
     sight = look(scene, grid, piece.box, -REACH, depths(piece, grid, piece.room))
-    return mask_polygon(sight.mask, grid).intersection(piece.room)
+    return common(mask_polygon(sight.mask, grid), piece.room)
 
 
 def depths(piece: Piece, grid: Grid, region: "BaseGeometry") -> FloatArray:

@@ -1,0 +1,66 @@
+"""How far the patches of a box-fold may follow the contours of a model, and how deep the model shows on them.
+
+In skew coordinates sides, backbone and tops do not move, and each end pair sweeps outward between the two sides,
+lifted as it goes. So sides may rise above the tops, and reach as far along x as the pairs sweep; tops may reach
+beyond the sides, but not along x, where a pair passes; pairs may rise above the top behind them, from which they
+move away, but not reach beyond the sides.
+"""
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from popsim.geometry.arrays import FloatArray
+
+if TYPE_CHECKING:
+    from popsim.mechanisms.box_fold import BoxFold, EndPair, Top
+
+RISE = 0.5
+"""Half widths by which sides and pairs may rise above the tops."""
+
+EAVES = 0.25
+"""Half widths by which tops may reach beyond the sides."""
+
+LONGEST_EAVES = 8.0
+"""mm; more would be in the way of what stands beside the box."""
+
+TOP_DEPTH = 0.75
+"""Share of the drop beside a top down to which the model shows on it."""
+
+END_DEPTH = 0.2
+"""Share of the length of the box to which the model shows on an end pair."""
+
+
+def side_room(box: "BoxFold", y: float) -> FloatArray:
+    """Room of a side in the plane y, shape (4, 3)."""
+    low, high = box.closing_range()
+    x0, x1 = max(low, min(box.pair.x[0], box.x[0])), min(high, max(box.pair.x[1], box.x[1]))
+    z0 = box.pair.v
+    z1 = z0 + box.height + RISE * box.half_width
+    return np.array([[x0, y, z0], [x1, y, z0], [x1, y, z1], [x0, y, z1]])
+
+
+def top_room(box: "BoxFold", top: "Top", sign: int) -> FloatArray:
+    """Room of one half of a top, shape (4, 3)."""
+    far = sign * (box.half_width + min(EAVES * box.half_width, LONGEST_EAVES))
+    x0, x1, z = top.x0, top.x1, box.pair.v + top.height
+    return np.array([[x, y, z] for x, y in ((x0, 0), (x1, 0), (x1, far), (x0, far))])
+
+
+def top_depth(box: "BoxFold", top: "Top") -> float:
+    """How deep below a top the model shows on it, mm."""
+    beside = [other.height for other in box.tops if top.x1 == other.x0 or other.x1 == top.x0]
+    floor = max([height for height in beside if height < top.height], default=0.0)
+    return TOP_DEPTH * (top.height - floor)
+
+
+def end_room(box: "BoxFold", end: "EndPair", sign: int) -> FloatArray:
+    """Room of one patch of an end pair, shape (4, 3)."""
+    low, high = box.pair.v + end.low, box.pair.v + end.high + RISE * box.half_width
+    across = sign * box.half_width
+    return np.array([[end.x, y, z] for y, z in ((0, low), (across, low), (across, high), (0, high))])
+
+
+def end_depth(box: "BoxFold") -> float:
+    """How deep behind an end pair the model shows on it, mm."""
+    return END_DEPTH * (box.x[1] - box.x[0])
