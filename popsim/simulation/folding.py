@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 from popsim.design import Design
 from popsim.simulation.gaps import Gaps, loop_gaps
+from popsim.simulation.polish import polished
 from popsim.simulation.rig import Rig
 from popsim.simulation.solver import BRISK, PATIENT, Pacing
 from popsim.simulation.sweep import Sweep, fold
@@ -35,5 +36,5 @@ def fold_design(design: Design, angles: int) -> Folding:
 
 def _fold(design: Design, angles: int, pacing: Pacing) -> Folding:
     rig = Rig(design, pacing)
-    sweep = fold(rig, angles, pacing)
+    sweep = polished(rig, fold(rig, angles, pacing))
     return Folding(rig, sweep, loop_gaps(sweep, rig.forest.loops))

@@ -13,7 +13,7 @@ class LoopJacobian:
     """How the gap at both ends of every loop hinge answers to the joints of the forest, with the pages held.
 
     Rows are mm of gap; columns are joints, scaled so that one unit moves the farthest point of the child by
-    1 mm. Its singular values are therefore mm of gap per mm of motion: pure numbers, the same for a card of any
+    1 mm (`reach` holds its distance from the axis, mm). Its singular values are therefore mm of gap per mm of motion: pure numbers, the same for a card of any
     size and for a small mechanism on a large card.
     """
 
@@ -22,7 +22,10 @@ class LoopJacobian:
         self._place = {patch.id: index for index, patch in enumerate(design.patches)}
         self._children = np.array([self._place[joint.child] for joint in forest.joints], dtype=np.int64)
         self._axes = np.array([joint.hinge.points for joint in forest.joints]).reshape(-1, 2, 3)
-        self._reach = np.array([_reach(design, joint.child, joint.hinge.points) for joint in forest.joints])
+        self.reach: FloatArray = np.array(
+            [_reach(design, joint.child, joint.hinge.points) for joint in forest.joints]
+        )
+        self._lengths = np.array([joint.hinge.length for joint in forest.joints])
         self._paths = self._loop_paths()
         self.groups = self._group()
 
@@ -41,30 +44,36 @@ class LoopJacobian:
 
     def _singular_values(self, poses: FloatArray, columns: list[int], loops: list[int]) -> FloatArray:
         """All of one group, one per column (0 where there are fewer rows), shape (n, c)."""
-        matrix = self._matrix(poses, columns, loops)
+        matrix = self.matrix(poses, columns, loops)
         values = np.linalg.svd(matrix, compute_uv=False) if loops else np.zeros((len(poses), 0))
         missing = len(columns) - values.shape[-1]
         return np.pad(values, ((0, 0), (0, max(missing, 0))))
 
-    def _matrix(self, poses: FloatArray, columns: list[int], loops: list[int]) -> FloatArray:
-        """Shape (n, 6 loops, columns)."""
+    def matrix(self, poses: FloatArray, columns: list[int], loops: list[int]) -> FloatArray:
+        """Gap (first patch minus second) per unit of each joint of a group, shape (n, 6 loops, columns)."""
         local = {column: index for index, column in enumerate(columns)}
-        ends = transform(poses[:, self._children[columns]], self._axes[columns, None, :, :].squeeze(1))
+        ends = transform(poses[:, self._children[columns]], self._axes[columns])
         anchor = ends[:, :, 0]
-        direction = ends[:, :, 1] - anchor
-        direction = direction / np.linalg.norm(direction, axis=-1, keepdims=True) / self._reach[columns][:, None]
+        direction = (ends[:, :, 1] - anchor) / (self._lengths * self.reach)[columns][:, None]
         matrix = np.zeros((len(poses), 6 * len(loops), len(columns)))
         for row, loop in enumerate(loops):
             hinge = self._forest.loops[loop]
             for sign, name in zip((1.0, -1.0), hinge.patches, strict=True):
+                chain = [local[column] for column in self._chain(name) if column in self._paths[loop]]
                 points = transform(poses[:, self._place[name]], hinge.points)
-                for column in self._chain(name):
-                    if column in self._paths[loop]:
-                        index = local[column]
-                        arm = points - anchor[:, index, None]
-                        swing = np.cross(direction[:, index, None], arm)
-                        matrix[:, 6 * row : 6 * row + 6, index] += sign * swing.reshape(len(poses), 6)
+                arms = points[:, None] - anchor[:, chain, None]
+                swing = _cross(direction[:, chain, None], arms).reshape(len(poses), len(chain), 6)
+                matrix[:, 6 * row : 6 * row + 6, chain] = sign * np.swapaxes(swing, 1, 2)
         return matrix
+
+    def residual(self, poses: FloatArray, loops: list[int]) -> FloatArray:
+        """Gaps at both ends of each loop hinge, first patch minus second, mm, shape (n, 6 loops)."""
+        rows = []
+        for loop in loops:
+            hinge = self._forest.loops[loop]
+            first, second = (transform(poses[:, self._place[name]], hinge.points) for name in hinge.patches)
+            rows.append((first - second).reshape(len(poses), 6))
+        return np.concatenate(rows, axis=1)
 
     def _chain(self, name: str) -> list[int]:
         """Joints from a patch down to its page."""
@@ -108,3 +117,10 @@ class LoopJacobian:
 def _reach(design: Design, child: str, axis: FloatArray) -> float:
     """Distance of the farthest point of a patch from an axis, mm."""
     return float(line_distance(design.patch_by_id[child].points, axis).max())
+
+
+def _cross(first: FloatArray, second: FloatArray) -> FloatArray:
+    """Cross product over the last axis; numpy's own is slow on many small arrays."""
+    x, y, z = np.moveaxis(first, -1, 0)
+    a, b, c = np.moveaxis(second, -1, 0)
+    return np.stack([y * c - z * b, z * a - x * c, x * b - y * a], axis=-1)

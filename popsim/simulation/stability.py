@@ -18,13 +18,17 @@ JACOBIAN_DEGREES = tuple(range(170, 0, -10))
 """Where free motions are counted: away from open and closed, where the Jacobian drops rank although the structure
 is rigid to second order."""
 
-PUSH_DEGREES = (179, 150, 90, 30, 1)
+PUSH_DEGREES = (178, 120, 60, 2)
 """Where the structure is pushed: also near the ends, where only a finite test tells."""
 
-PUSH_STEPS = 40
-"""Steps for which the wrench acts, and again after its release."""
+PUSH_STEPS = 100
+"""Steps for which the wrench acts: long enough to tell a free motion, which grows with the square of the time, from a
+soft one, which comes to rest."""
 
-PUSH_MOTION = 0.2
+RELEASE_STEPS = 20
+"""Steps after its release."""
+
+PUSH_MOTION = 0.3
 """How far the wrench would carry a free plate, of the size of the pop-up."""
 
 SEED = 2014
@@ -94,7 +98,7 @@ def _push(rig: Rig, sweep: Sweep, frame: int, random: np.random.Generator) -> Pu
     rig.step(PUSH_STEPS)
     moved = _corners(rig)
     rig.push(None)
-    rig.step(PUSH_STEPS)
+    rig.step(RELEASE_STEPS)
     left = _corners(rig)
     shifts = [float(np.linalg.norm(now - then, axis=-1).max()) for now, then in zip(moved, before, strict=True)]
     rest = [float(np.linalg.norm(now - then, axis=-1).max()) for now, then in zip(left, before, strict=True)]

@@ -12,6 +12,9 @@ from popsim.simulation.rig import Rig, page_quaternions
 from popsim.simulation.schedule import Schedule
 from popsim.simulation.solver import Pacing
 
+PRESS_STEPS = 20
+"""Steps at the closed card in which the pages press on what lies between them."""
+
 
 @dataclass(frozen=True, eq=False)
 class Sweep:
@@ -79,6 +82,8 @@ def fold(rig: Rig, count: int, pacing: Pacing) -> Sweep:
             rig.hold(turn)
             rig.step()
         driven += steps
+        if len(poses) == count:
+            rig.press(PRESS_STEPS)
         rig.settle(rest)
         if not rig.alive:
             break

@@ -16,7 +16,7 @@ class Settings:
     play:
         Largest loop gap that paper gives way to.
     flat:
-        Distance from the plane of the closed card. A gap of `rigid` already lets a plate of 30 mm rise by as much.
+        Distance from the plane of the closed card: a fifth of the usual thickness of the paper.
     reopened:
         Distance of any corner from its first place after closing and opening; other branches are off by
         millimetres.
@@ -30,14 +30,14 @@ class Settings:
         Difference between measured and analytic closing range.
     pushed:
         Motion under a small wrench on every patch, and what is left of it after release, of the size of the
-        pop-up; the wrench carries a free plate forty times as far.
+        pop-up; the wrench carries a free plate sixty times as far.
     """
 
     angles: int = 180
     rigid: float = 0.001
     play: float = 0.3
-    flat: float = 0.25
-    reopened: float = 0.25
+    flat: float = 0.05
+    reopened: float = 0.05
     crossing: float = 0.05
     protruding: float = 0.1
     pose: float = 0.001
