@@ -58,7 +58,7 @@ def look_of(visual: Any, faces: np.ndarray[Any, Any], *, linear: bool) -> Look:
         material = _pbr_colour(source, linear) if is_pbr else _simple_colour(source)
         image = source.baseColorTexture if is_pbr else getattr(source, "image", None)
         texture, problem = _pixels(image)
-        if texture is not None and is_pbr and source.alphaMode in (None, "OPAQUE"):
+        if texture is not None and _opaque(source):
             texture = texture.copy()
             texture[..., 3] = 255
     if texture is not None:
@@ -66,6 +66,13 @@ def look_of(visual: Any, faces: np.ndarray[Any, Any], *, linear: bool) -> Look:
     return Look(
         Material(material, texture), _corner_uv(visual, faces), _corner_colours(visual, faces, linear), problem
     )
+
+
+def _opaque(source: Any) -> bool:
+    """Whether the format says that the alpha of a texture means nothing: glTF OPAQUE, MTL without map_d."""
+    if hasattr(source, "baseColorFactor"):
+        return source.alphaMode in (None, "OPAQUE")
+    return "map_d" not in getattr(source, "kwargs", {})
 
 
 def srgb(linear: FloatArray) -> FloatArray:

@@ -192,3 +192,15 @@ def test_missing_buffer_is_an_error_but_missing_picture_a_note(tmp_path: Path) -
     assert len(model.notes) == 1
     assert "gone%20for%20good.png" in model.notes[0]
     np.testing.assert_allclose(model.surface.materials[0].colour, [1, 0, 0, 1])
+
+
+@pytest.mark.parametrize(("line", "alpha"), [("", 255), ("map_d skin.png\n", 0)])
+def test_alpha_of_an_mtl_texture_counts_only_where_map_d_names_it(line: str, alpha: int, tmp_path: Path) -> None:
+    Image.new("RGBA", (4, 4), (200, 10, 10, 0)).save(tmp_path / "skin.png")
+    (tmp_path / "a.mtl").write_text(f"newmtl m\nKd 1 1 1\nmap_Kd skin.png\n{line}")
+    (tmp_path / "a.obj").write_text(
+        "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl m\n"
+        "f 1/1 2/2 3/3\nf 1/1 2/2 4/3\n"
+    )
+    texture = load_model(tmp_path / "a.obj").surface.materials[0].texture
+    assert texture is not None and (texture[..., 3] == alpha).all()
