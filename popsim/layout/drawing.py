@@ -7,12 +7,13 @@ import numpy as np
 
 from popsim.geometry.arrays import FloatArray
 from popsim.geometry.flat import move, move_shape
+from popsim.layout.fitted_text import fitted_text
 from popsim.layout.flaps import Flap
 from popsim.layout.folding import Crease
 from popsim.layout.furniture import furnish
 from popsim.layout.layout import Layout, Placement
 from popsim.layout.parts import Part
-from popsim.layout.sheet import Area, Line, Mark, Picture, Role, Sheet, Text, text_width
+from popsim.layout.sheet import Area, Line, Mark, Picture, Role, Sheet, Text
 from popsim.layout.sites import Face
 
 if TYPE_CHECKING:
@@ -27,9 +28,6 @@ NUMBER_SIZE = 3.0
 
 NAME_SIZE = 3.5
 """mm; font size of names of pieces."""
-
-SMALLEST_TEXT = 1.2
-"""mm; below this nobody reads."""
 
 _CREASES = {Crease.MOUNTAIN: Role.MOUNTAIN, Crease.VALLEY: Role.VALLEY}
 
@@ -124,26 +122,8 @@ def _flap(flap: Flap, number: int, motion: FloatArray) -> Iterator[Mark]:
 
 
 def _number(text: str, shape: "Polygon") -> Iterator[Text]:
-    """A text in the widest spot of `shape`, along its longest edge."""
-    corners = np.array(shape.exterior.coords)
-    edges = np.diff(corners, axis=0)
-    along = edges[int(np.linalg.norm(edges, axis=1).round(6).argmax())]
-    yield from _fitted(text, shape, float(np.arctan2(along[1], along[0])), NUMBER_SIZE)
-
-
-def _fitted(text: str, shape: "Polygon", angle: float, size: float) -> Iterator[Text]:
-    """`text` centred in the widest spot of `shape`, shrunk to fit, upright rather than upside down."""
-    from shapely import maximum_inscribed_circle
-
-    spoke = maximum_inscribed_circle(shape, tolerance=0.05)
-    centre, rim = np.array(spoke.coords)
-    radius = float(np.linalg.norm(rim - centre))
-    size = min(size, 1.5 * radius, 2 * radius * size / text_width(text, size) * 1.5)
-    size = max(size, SMALLEST_TEXT)
-    if np.cos(angle) < -1e-6 or (abs(np.cos(angle)) <= 1e-6 and np.sin(angle) < 0):
-        angle += np.pi
-    down = 0.36 * size * np.array([np.sin(angle), -np.cos(angle)])
-    yield Text(Role.LABEL, text, centre + down, size, angle, "middle")
+    """A text inside `shape`, along its longest edge."""
+    yield fitted_text(text, shape, NUMBER_SIZE)
 
 
 def _name(layout: Layout, placement: Placement) -> Iterator[Text]:
@@ -161,4 +141,4 @@ def _name(layout: Layout, placement: Placement) -> Iterator[Text]:
         ]
     if free:
         shape = min(free, key=lambda entry: entry[:2])[2]
-        yield from _fitted(piece.name, move_shape(placement.motion, shape), 0.0, NAME_SIZE)
+        yield fitted_text(piece.name, move_shape(placement.motion, shape), NAME_SIZE)

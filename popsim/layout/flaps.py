@@ -14,7 +14,7 @@ import numpy as np
 from popsim.geometry.arrays import FloatArray
 from popsim.geometry.flat import inverse, left_of, move, move_shape
 from popsim.layout.contact import BESIDE, Contact, contacts
-from popsim.layout.flap_shape import APART, CLEARANCE, crease_span, trapezoid, trimmed
+from popsim.layout.flap_shape import APART, CLEARANCE, crease_span, tab, trapezoid, trimmed
 from popsim.layout.folding import Crease, into
 from popsim.layout.joints import Joint
 from popsim.layout.nets import Net
@@ -28,6 +28,15 @@ if TYPE_CHECKING:
 
 ENOUGH = (0.7, 0.35, 0.1)
 """Shares of the full flap; a site with more beats one with less, whatever else speaks for it."""
+
+ON_LINE = 0.1
+"""mm; what lies no farther beyond the line of a flap is no obstacle to it."""
+
+SMALLEST = 1.0
+"""mm^2; glue on less holds nothing."""
+
+ROUNDS = 5
+"""Times that flaps are made shallower where no room was left for one."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -72,6 +81,11 @@ class Task(NamedTuple):
     stretch: int
     choices: tuple[Site, ...]
 
+    @property
+    def freedom(self) -> tuple[int, int]:
+        """How much there is to choose from; who has least goes first."""
+        return len({site.carrier.id for site in self.choices}), len(self.choices)
+
 
 def plan_flaps(
     parts: Mapping[str, Part], joints: tuple[Joint, ...], nets: tuple[Net, ...], settings: LayoutSettings
@@ -80,7 +94,24 @@ def plan_flaps(
 
     A joint is left over where no flap of use fits on any side.
     """
-    bench = _Bench(parts, joints, nets)
+    depths = dict.fromkeys(parts, settings.flap_depth)
+    for _ in range(ROUNDS):
+        flaps, left = _plan(_Bench(parts, joints, nets), joints, nets, depths, settings)
+        if not left:
+            break
+        # whatever lands where room ran out gets half as deep, to leave some for all
+        depths |= {name: depths[name] / 2 for name in sorted({name for joint in left for name in joint.parts})}
+    return flaps, left
+
+
+def _plan(
+    bench: "_Bench",
+    joints: tuple[Joint, ...],
+    nets: tuple[Net, ...],
+    depths: Mapping[str, float],
+    settings: LayoutSettings,
+) -> tuple[tuple[Flap, ...], tuple[Joint, ...]]:
+    """One round of planning with the given depth of flaps by the part that they land on."""
     folded = {joint.id for net in nets for joint in net.folds}
     tasks = [
         Task(joint, k, tuple(bench.sites(joint, k)))
@@ -89,8 +120,8 @@ def plan_flaps(
         for k in range(len(joint.stretches))
     ]
     found: dict[tuple[str, int], Flap] = {}
-    for task in sorted(tasks, key=lambda task: len({site.carrier.id for site in task.choices})):
-        flap = bench.place(task.choices, settings)
+    for task in sorted(tasks, key=lambda task: task.freedom):
+        flap = bench.place(task.choices, depths, settings)
         if flap is not None:
             found[task.joint.id, task.stretch] = flap
     flaps = tuple(found[key] for task in tasks if (key := (task.joint.id, task.stretch)) in found)
@@ -125,22 +156,25 @@ class _Bench:
         alone = (self._is_alone(joint, first, seen[0]), self._is_alone(joint, second, seen[1]))
         return list(sites(joint, stretch, (self.parts[first], self.parts[second]), seen, free, alone))
 
-    def place(self, choices: tuple[Site, ...], settings: LayoutSettings) -> Flap | None:
+    def place(
+        self, choices: tuple[Site, ...], depths: Mapping[str, float], settings: LayoutSettings
+    ) -> Flap | None:
         """The best flap among `choices`, which then takes up its room; None where nothing of use fits."""
-        options = []
-        for order, site in enumerate(choices):
-            deep = site.joint.hinge is None or site.joint.hinge.kind == "central"
-            full = trapezoid(site.length, settings.seam_depth if deep else settings.flap_depth)
-            shape = trimmed(full, self._blocked(site, full), self._allowed(site, full))
-            if shape is None or shape.area < ENOUGH[-1] * full.area:
-                continue
-            share = sum(shape.area < enough * full.area for enough in ENOUGH)
-            crowd = len(self.net_of[site.carrier.id].motions)
-            options.append(((share, site.rank, crowd, -round(shape.area, 3), order), site, shape))
-        if not options:
-            return None
-        _, site, shape = min(options, key=lambda option: option[0])
-        return self._keep(site, shape)
+        for form, clearance in ((trapezoid, CLEARANCE), (tab, CLEARANCE / 5)):
+            options = []
+            for order, site in enumerate(choices):
+                deep = site.joint.hinge is None or site.joint.hinge.kind == "central"
+                full = form(site.length, settings.seam_depth if deep else depths[site.target.id])
+                shape = trimmed(full, self._blocked(site, full), self._allowed(site, full, clearance))
+                if shape is None or shape.area < max(ENOUGH[-1] * full.area, SMALLEST):
+                    continue
+                share = sum(shape.area < enough * full.area for enough in ENOUGH)
+                crowd = len(self.net_of[site.carrier.id].motions)
+                options.append(((share, site.rank, crowd, -round(shape.area, 3), order), site, shape))
+            if options:
+                _, site, shape = min(options, key=lambda option: option[0])
+                return self._keep(site, shape)
+        return None
 
     def _keep(self, site: Site, shape: "Polygon") -> Flap:
         low, high = crease_span(shape)
@@ -202,17 +236,17 @@ class _Bench:
                 blocked.append(_above(moved.buffer(APART), 2 * APART) if other == name else moved.buffer(APART))
         return shapely.unary_union(blocked)
 
-    def _allowed(self, site: Site, full: "Polygon") -> "BaseGeometry":
+    def _allowed(self, site: Site, full: "Polygon", clearance: float) -> "BaseGeometry":
         """Where the target's face is free, in strip coordinates."""
         import shapely
 
         to_strip = inverse(site.on_target)
         target = move_shape(to_strip, site.target.polygon)
-        rim = _off_line(target.boundary).buffer(CLEARANCE)
+        rim = _off_line(target.boundary).buffer(clearance)
         key = (site.target.id, site.face)
         landed = [move_shape(to_strip, shape).buffer(APART) for shape in self.landed.get(key, [])]
         lines = [move(to_strip, line) for line in self.standing.get(key, [])]
-        standing = [shapely.LineString(line).buffer(CLEARANCE) for line in lines if np.abs(line[:, 1]).max() > 0.1]
+        standing = [shapely.LineString(line).buffer(clearance) for line in lines if line[:, 1].max() > ON_LINE]
         return target.difference(shapely.unary_union([rim, *landed, *standing])).intersection(full.envelope)
 
     def _stand(self, joint: Joint, name: str) -> None:
@@ -237,8 +271,8 @@ def _above(shape: "BaseGeometry", height: float) -> "BaseGeometry":
 
 
 def _off_line(boundary: "BaseGeometry") -> "BaseGeometry":
-    """A boundary without what runs along the line of the flap."""
+    """The part of a boundary on the flap's side, without what runs along its line."""
     from shapely.geometry import box
 
-    low, _, high, _ = boundary.bounds
-    return boundary.difference(box(low - 1, -0.1, high + 1, 0.1))
+    low, _, high, top = boundary.bounds
+    return boundary.intersection(box(low - 1, ON_LINE, high + 1, max(top, ON_LINE) + 1))

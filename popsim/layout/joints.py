@@ -1,7 +1,7 @@
 """Joints: where two parts meet. Each hinge of the design is one, or one per pair of parts that it runs over."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import combinations
 
 import numpy as np
@@ -13,6 +13,9 @@ from popsim.layout.parts import Part
 
 SHORTEST = 0.5
 """mm; stretches below this hold nothing and are left out, unless the hinge has no other."""
+
+LEAST_SHARE = 5.0
+"""mm; where a hinge runs over several parts, shorter ends of it on one of them are left unglued."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -67,16 +70,18 @@ def find_joints(design: Design, parts: tuple[Part, ...]) -> tuple[Joint, ...]:
 def _of_hinge(hinge: Hinge, by_patch: dict[str, list[Part]]) -> list[Joint]:
     pairs = [(a, b) for a in by_patch[hinge.patches[0]] for b in by_patch[hinge.patches[1]]]
     along = {part.id: _covered(part, hinge.points) for pair in pairs for part in pair}
-    found = []
+    found: list[Joint] = []
     for first, second in pairs:
         common = list(_common(along[first.id], along[second.id]))
         if not common and len(pairs) == 1:  # paper meets beside the hinge only by a hair: trust the design
             common = [(0.0, hinge.length)]
         if common:
-            found.append(((first.id, second.id), _stretches(hinge.points, common)))
-    if len(found) == 1:
-        return [Joint(hinge.id, hinge, *found[0])]
-    return [Joint(f"{hinge.id}/{k}", hinge, *pair) for k, pair in enumerate(found, 1)]
+            found.append(Joint(hinge.id, hinge, (first.id, second.id), _stretches(hinge.points, common)))
+    longest = max(joint.length for joint in found)
+    held = [joint for joint in found if joint.length >= min(LEAST_SHARE, longest)]
+    if len(held) == 1:
+        return held
+    return [replace(joint, id=f"{hinge.id}/{k}") for k, joint in enumerate(held, 1)]
 
 
 def _covered(part: Part, axis: FloatArray) -> list[tuple[float, float]]:

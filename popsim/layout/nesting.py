@@ -21,6 +21,9 @@ if TYPE_CHECKING:
 CELL = 1.0
 """mm; side of a raster cell."""
 
+SQUARE = 1e-3
+"""Radians; a smallest rectangle that is turned by less is upright."""
+
 Spectrum = npt.NDArray[np.complex128]
 
 
@@ -65,7 +68,7 @@ def nest(
     sheets: list[_Sheet] = []
     places: dict[int, Place] = {}
     for index in sorted(range(len(shapes)), key=lambda k: (-shapes[k].area, k)):
-        turns = [turned for turned in _turns(shapes[index], room, gap, grain) if _within(turned.mask, size)]
+        turns = [_turned(shapes[index], angle, gap, size) for angle in _angles(shapes[index], room, grain)]
         if not turns:
             raise _too_large(shapes[index], names[index], room)
         places[index] = _put(turns, sheets, size, slack)
@@ -135,40 +138,40 @@ def _put(turns: list[_Turned], sheets: list[_Sheet], size: tuple[int, int], slac
     raise AssertionError("a shape that goes on an empty sheet was not placed on one")
 
 
-def _turns(shape: "Polygon", room: tuple[float, float], gap: float, grain: bool) -> list[_Turned]:
-    """The shape at its own angle and along its smallest rectangle, each turned by quarters (or halves)."""
-    angles = [0.0]
+def _angles(shape: "Polygon", room: tuple[float, float], grain: bool) -> list[float]:
+    """Angles at which the shape goes into the area: its own and along its smallest rectangle, by quarter turns."""
     corners = np.array(shape.minimum_rotated_rectangle.exterior.coords)
     longest = max(np.diff(corners[:3], axis=0), key=lambda side: (round(float(np.linalg.norm(side)), 6), side[0]))
     aslant = float(np.arctan2(longest[1], longest[0])) % (np.pi / 2)
-    if not grain and min(aslant, np.pi / 2 - aslant) > 1e-3:
-        angles.append(-aslant)
-    quarters = (0, 2) if grain else (0, 1, 2, 3)
-    return [_turned(shape, angle, quarter, gap) for angle in angles for quarter in quarters]
+    starts = [0.0] if grain or min(aslant, np.pi / 2 - aslant) < SQUARE else [0.0, -aslant]
+    found = []
+    for angle in (start + quarter * np.pi / 2 for start in starts for quarter in ((0, 2) if grain else range(4))):
+        low_x, low_y, high_x, high_y = move_shape(flat_motion(angle), shape).bounds
+        if high_x - low_x <= room[0] + 1e-9 and high_y - low_y <= room[1] + 1e-9:
+            found.append(angle)
+    return found
 
 
-def _turned(shape: "Polygon", angle: float, quarter: int, gap: float) -> _Turned:
-    motion = flat_motion(angle + quarter * np.pi / 2)
+def _turned(shape: "Polygon", angle: float, gap: float, size: tuple[int, int]) -> _Turned:
+    """The shape at an angle; what its growth adds beyond the sheet is left out."""
+    motion = flat_motion(angle)
     moved = move_shape(motion, shape)
-    grown = moved.buffer(_growth(gap), quad_segs=4)
-    low_x, low_y, high_x, high_y = grown.bounds
-    mask = _raster(
-        grown, (low_x, low_y), (int(np.ceil((high_y - low_y) / CELL)), int(np.ceil((high_x - low_x) / CELL)))
-    )
-    return _Turned(flat_motion(0.0, (-low_x, -low_y)) @ motion, mask)
+    growth = _growth(gap)
+    low = np.array(moved.bounds[:2]) - growth
+    columns, rows = np.ceil((np.array(moved.bounds[2:]) + growth - low) / CELL).astype(int)
+    # mitred corners hold the round ones, whose polygons would fall short of the full distance
+    grown = moved.buffer(growth, join_style="mitre", mitre_limit=1.1)
+    mask = _raster(grown, low, (min(int(rows), size[0]), min(int(columns), size[1])))
+    return _Turned(flat_motion(0.0, -low) @ motion, mask)
 
 
-def _raster(shape: "Polygon", low: tuple[float, float], size: tuple[int, int]) -> BoolArray:
+def _raster(shape: "Polygon", low: FloatArray, size: tuple[int, int]) -> BoolArray:
     """Cells whose centre lies in `shape`, shape `size` (rows, columns)."""
     import shapely
 
     shapely.prepare(shape)
     y, x = np.meshgrid(*((np.arange(n) + 0.5) * CELL for n in size), indexing="ij")
     return np.asarray(shapely.contains_xy(shape, x + low[0], y + low[1]))
-
-
-def _within(mask: BoolArray, size: tuple[int, ...]) -> bool:
-    return bool(mask.shape[0] <= size[0] and mask.shape[1] <= size[1])
 
 
 def _too_large(shape: "Polygon", name: str, room: tuple[float, float]) -> LayoutError:
