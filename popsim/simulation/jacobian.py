@@ -13,8 +13,8 @@ class LoopJacobian:
     """How the gap at both ends of every loop hinge answers to the joints of the forest, with the pages held.
 
     Rows are mm of gap; columns are joints, scaled so that one unit moves the farthest point of the child by
-    1 mm (`reach` holds its distance from the axis, mm). Its singular values are therefore mm of gap per mm of motion: pure numbers, the same for a card of any
-    size and for a small mechanism on a large card.
+    1 mm (`reach` holds its distance from the axis, mm). Its singular values are therefore mm of gap per mm of
+    motion: pure numbers, the same for a card of any size and for a small mechanism on a large card.
     """
 
     def __init__(self, design: Design, forest: Forest) -> None:

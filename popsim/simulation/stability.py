@@ -22,8 +22,8 @@ PUSH_DEGREES = (178, 120, 60, 2)
 """Where the structure is pushed: also near the ends, where only a finite test tells."""
 
 PUSH_STEPS = 100
-"""Steps for which the wrench acts: long enough to tell a free motion, which grows with the square of the time, from a
-soft one, which comes to rest."""
+"""Steps for which the wrench acts: long enough to tell a free motion, which grows with the square of the time,
+from a soft one, which comes to rest."""
 
 RELEASE_STEPS = 20
 """Steps after its release."""
