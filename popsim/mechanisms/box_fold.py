@@ -121,7 +121,7 @@ class BoxFold(Mechanism):
             for role, sign in zip(roles, (1, -1), strict=True):
                 corners = [(sign * w, end.low), (0.0, end.low), (0.0, end.high), (sign * w, end.high)]
                 face = np.array([[end.x, y, v + z] for y, z in corners])
-                room, depth = end_room(self, end, sign), end_depth(self)
+                room, depth = end_room(self, end, sign), end_depth(self, end)
                 plates.append(Plate(role, face, end.facing * X_AXIS, room=room, behind=depth))
         return tuple(plates)
 

@@ -27,8 +27,11 @@ LONGEST_EAVES = 8.0
 TOP_DEPTH = 0.75
 """Share of the drop beside a top down to which the model shows on it."""
 
-END_DEPTH = 0.2
-"""Share of the length of the box to which the model shows on an end pair."""
+FRONT_DEPTH = 0.2
+"""Share of the length of the box to which the model shows on an outermost end pair: far enough for its wheels."""
+
+STEP_DEPTH = 0.25
+"""The same on a pair above a top: room for a slanted windscreen."""
 
 
 def side_room(box: "BoxFold", y: float) -> FloatArray:
@@ -61,6 +64,7 @@ def end_room(box: "BoxFold", end: "EndPair", sign: int) -> FloatArray:
     return np.array([[end.x, y, z] for y, z in ((0, low), (across, low), (across, high), (0, high))])
 
 
-def end_depth(box: "BoxFold") -> float:
+def end_depth(box: "BoxFold", end: "EndPair") -> float:
     """How deep behind an end pair the model shows on it, mm."""
-    return END_DEPTH * (box.x[1] - box.x[0])
+    share = STEP_DEPTH if end.low > 0 else FRONT_DEPTH
+    return share * (box.x[1] - box.x[0])

@@ -26,6 +26,12 @@ from popsim.mechanisms.pair import BasePatchPair, PairKind
 from popsim.mechanisms.primitive import Primitive, RectangularPrism
 from popsim.mechanisms.room import LEAST, Room, draw, draw_interval
 
+PARAPET = 0.4
+"""Depths by which a riser may rise above its tread; it keeps its place, as all of a step does."""
+
+TREAD_DEPTH = 0.75
+"""Share of the height down to which the model shows on a tread."""
+
 
 @dataclass(frozen=True)
 class StepFold(Mechanism):
@@ -48,9 +54,11 @@ class StepFold(Mechanism):
     def plates(self) -> tuple[Plate, ...]:
         wall, foot, edge = self._section()
         outward = page_direction(self.pair.side, np.array([OPEN]))[0]
+        rise = min(PARAPET * self.s, self.pair.reach[1] - self.h)
+        room = rectangle(self.x, foot, edge + max(rise, 0.0) * Z_AXIS)
         return (
-            Plate("riser", rectangle(self.x, foot, edge), outward),
-            Plate("tread", rectangle(self.x, wall, edge), Z_AXIS),
+            Plate("riser", rectangle(self.x, foot, edge), outward, room=room, behind=self.s),
+            Plate("tread", rectangle(self.x, wall, edge), Z_AXIS, behind=TREAD_DEPTH * self.h),
         )
 
     def joints(self) -> tuple[Joint, ...]:

@@ -26,6 +26,15 @@ from popsim.mechanisms.pair import BasePatchPair, PairKind
 from popsim.mechanisms.primitive import Primitive, TriangularPrism
 from popsim.mechanisms.room import LEAST, Room, draw, draw_interval
 
+EAVES = 0.3
+"""Share of a slope that it may go on below its foot."""
+
+LONGEST_EAVES = 10.0
+"""mm; more would be in the way of what stands beside."""
+
+OVER_EDGE = 1e-6
+"""mm; a foot this near to the edge of a top stands on it."""
+
 
 @dataclass(frozen=True)
 class TentFold(Mechanism):
@@ -47,6 +56,12 @@ class TentFold(Mechanism):
         """Length of a slope, |T_3| = |T_4|, mm."""
         return float(np.hypot(self.t1, self.height))
 
+    @property
+    def _eaves(self) -> float:
+        """How far slopes may go on below their feet, mm: only over the edge of a top, past its sides."""
+        over_edge = self.pair.owner is not None and self.t1 >= min(self.pair.reach) - OVER_EDGE
+        return min(EAVES * self.t3, LONGEST_EAVES) if over_edge else 0.0
+
     def _check_parameters(self) -> None:
         require_positive(self, length=self.x[1] - self.x[0], t1=self.t1, height=self.height)
 
@@ -56,7 +71,9 @@ class TentFold(Mechanism):
         for side, role in _SLOPES:
             foot = np.array([0.0, side.value * self.t1, self.pair.v])
             outward = np.array([0.0, side.value * self.height, self.t1]) / self.t3
-            slopes.append(Plate(role, rectangle(self.x, foot, ridge), outward))
+            room = rectangle(self.x, foot - self._eaves * (ridge - foot) / self.t3, ridge)
+            depth = self.t1 * self.height / self.t3
+            slopes.append(Plate(role, rectangle(self.x, foot, ridge), outward, room=room, behind=depth))
         return tuple(slopes)
 
     def joints(self) -> tuple[Joint, ...]:

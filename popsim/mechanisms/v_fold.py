@@ -28,6 +28,9 @@ from popsim.mechanisms.primitive import Primitive
 from popsim.mechanisms.room import LEAST, Room, draw
 from popsim.mechanisms.v_fold_parts import Part, Walls, find_roof, find_walls
 
+ROOF_DEPTH = 0.75
+"""Share of the height down to which the model shows on a roof."""
+
 SIDES = ((Side.GROUND, "L", "G"), (Side.BACKDROP, "R", "B"))
 """Side, letter of its walls, letter of its roof half."""
 
@@ -79,9 +82,11 @@ class VFold(Mechanism):
             corner = self.corner(side)
             outward = np.array([self.facing, side.value, 0.0]) / np.sqrt(2)
             foot = self.foot
-            walls.append(Plate(f"F_{wall}", np.array([foot, corner, corner + rise, foot + rise]), outward))
+            face = np.array([foot, corner, corner + rise, foot + rise])
+            walls.append(Plate(f"F_{wall}", face, outward, behind=self.width))
             end = np.array([self.back, 0.0, self.pair.v])
-            roof.append(Plate(f"T_{half}", np.array([foot, corner, end]) + rise, Z_AXIS))
+            face = np.array([foot, corner, end]) + rise
+            roof.append(Plate(f"T_{half}", face, Z_AXIS, behind=ROOF_DEPTH * self.height))
         return (*walls, *roof) if self.roof else tuple(walls)
 
     def joints(self) -> tuple[Joint, ...]:

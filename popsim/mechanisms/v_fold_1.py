@@ -36,7 +36,8 @@ class VFold1(VFold):
         for side, letter, _ in SIDES:
             corner = self.corner(side)
             outward = np.array([-self.facing, side.value, 0.0]) / np.sqrt(2)
-            backs.append(Plate(f"B_{letter}", np.array([corner, end, end + rise, corner + rise]), outward))
+            face = np.array([corner, end, end + rise, corner + rise])
+            backs.append(Plate(f"B_{letter}", face, outward, behind=self.width))
         return super().plates() + tuple(backs)
 
     def joints(self) -> tuple[Joint, ...]:

@@ -16,8 +16,8 @@ from popsim.patches.hold import Run, hold
 from popsim.patches.one_piece import finished
 from popsim.patches.piece import Piece, pieces_of
 from popsim.patches.settings import PatchSettings
-from popsim.patches.texture import print_of
-from popsim.patches.wanted import wanted
+from popsim.patches.texture import Print, print_of
+from popsim.patches.wanted import see
 from popsim.rendering.ray_scene import RayScene
 
 if TYPE_CHECKING:
@@ -62,6 +62,8 @@ def paint(
     surface: Surface | RayScene,
     territories: Mapping[str, FloatArray],
     settings: PatchSettings | None = None,
+    *,
+    prints: bool = True,
 ) -> Painted:
     """Cut and paint the patches of mechanisms after a model.
 
@@ -75,6 +77,8 @@ def paint(
         Box of space whose model belongs to each mechanism, rows low and high, shape (2, 3), by mechanism id.
     settings:
         How to cut and paint.
+    prints:
+        Whether to print the patches; without, outlines come in a fraction of the time.
 
     Raises
     ------
@@ -88,13 +92,15 @@ def paint(
         box = _territory(mechanism, territories)
         pieces |= {piece.id: piece for piece in pieces_of(mechanism, box, settings)}
     for piece in pieces.values():
-        piece.shape = cuttable(wanted(scene, piece, settings), piece.room, settings)
+        see(scene, piece, settings)
+        piece.shape = cuttable(piece.shape, piece.room, settings)
     notes = _joined(mechanisms, pieces, settings)
     outlines: dict[str, Polygon] = {}
     for name, piece in pieces.items():
         outlines[name], own = finished(piece, settings)
         notes += own
-    return _painted(scene, pieces, outlines, notes, settings)
+    seen = _prints(scene, pieces, outlines, settings) if prints else {}
+    return _painted(pieces, outlines, seen, notes)
 
 
 def _territory(mechanism: Mechanism, territories: Mapping[str, FloatArray]) -> FloatArray:
@@ -117,28 +123,33 @@ def _joined(mechanisms: Sequence[Mechanism], pieces: Mapping[str, Piece], settin
     return notes
 
 
+def _prints(
+    scene: RayScene, pieces: Mapping[str, Piece], outlines: Mapping[str, "Polygon"], settings: PatchSettings
+) -> dict[str, Print]:
+    """Prints of the patches that show something, by patch id."""
+    shown = [piece for piece in pieces.values() if piece.plate.principal]
+    found = {piece.id: print_of(scene, piece, outlines[piece.id], settings) for piece in shown}
+    return {name: image for name, image in found.items() if image is not None}
+
+
 def _painted(
-    scene: RayScene,
-    pieces: Mapping[str, Piece],
-    outlines: Mapping[str, "Polygon"],
-    notes: list[str],
-    settings: PatchSettings,
+    pieces: Mapping[str, Piece], outlines: Mapping[str, "Polygon"], prints: Mapping[str, Print], notes: list[str]
 ) -> Painted:
-    shapes, images = {}, {}
+    shapes = {}
     for name, piece in pieces.items():
-        outline = outlines[name]
+        outline, image = outlines[name], prints.get(name)
         rings = [piece.plane.lift(np.array(ring.coords)[:-1]) for ring in (outline.exterior, *outline.interiors)]
-        path = frame = None
-        seen = print_of(scene, piece, outline, settings) if piece.plate.principal else None
-        if seen is not None:
-            path, frame = f"{FOLDER}/{name}.png", seen[1]
-            images[path] = seen[0]
-        shapes[name] = Shape(rings[0], tuple(rings[1:]), path, frame)
+        path = None if image is None else _path(name)
+        shapes[name] = Shape(rings[0], tuple(rings[1:]), path, None if image is None else image.frame)
     return Painted(
         shapes=shapes,
-        images=images,
+        images={_path(name): image.png for name, image in prints.items()},
         notes=tuple(notes),
         renderer=RENDERER,
         cut_length=float(sum(outline.length for outline in outlines.values())),
         vertices=sum(len(s.outline) + sum(len(hole) for hole in s.holes) for s in shapes.values()),
     )
+
+
+def _path(name: str) -> str:
+    return f"{FOLDER}/{name}.png"

@@ -31,6 +31,8 @@ class Piece:
         Part of space whose model belongs to it, rows low and high, shape (2, 3).
     shape:
         The outline so far: any number of polygons, possibly none.
+    recesses:
+        Where the model shows however deep it lies: doorways and shelves are dents of a wall, not gaps.
     held:
         Paper at the hinges, which must stay.
     """
@@ -42,6 +44,7 @@ class Piece:
     room: "Polygon"
     box: FloatArray
     shape: "BaseGeometry"
+    recesses: "BaseGeometry"
     held: list["BaseGeometry"] = field(default_factory=list)
 
 
@@ -56,5 +59,5 @@ def pieces_of(mechanism: Mechanism, box: FloatArray, settings: PatchSettings) ->
         face = Polygon(plane.flat(plate.outline))
         allowed = plate.outline if plate.room is None or name in settings.within_face else plate.room
         room = Polygon(plane.flat(allowed)).union(face)
-        pieces.append(Piece(name, plate, plane, face, room, box, Polygon()))
+        pieces.append(Piece(name, plate, plane, face, room, box, Polygon(), Polygon()))
     return pieces

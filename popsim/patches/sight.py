@@ -97,22 +97,24 @@ def look(scene: RayScene, grid: Grid, box: FloatArray, near: float, far: FloatAr
     near, far:
         Least and greatest depth behind the plane; `far` may differ by pixel (NaN: not looked at).
     """
-    origins = grid.plane.lift(grid.centres())
-    enter, leave = _within(box, origins, -grid.plane.normal)
-    start = np.maximum(enter, near)
-    stop = np.minimum(leave, np.ravel(far))
-    wanted = np.flatnonzero(stop >= start)
-    depth = np.full(len(origins), np.inf)
-    face = np.full(len(origins), -1, dtype=np.int64)
-    bary = np.zeros((len(origins), 3))
-    if len(wanted):
-        along = start[wanted]
-        longest = float((stop - start)[wanted].max())
-        rays = origins[wanted] - along[:, None] * grid.plane.normal
-        hits = scene.hit(rays, -grid.plane.normal[None], far=longest)
-        seen = along + hits.distance <= stop[wanted] + scene.tolerance
-        at = wanted[seen]
-        depth[at], face[at], bary[at] = along[seen] + hits.distance[seen], hits.face[seen], hits.bary[seen]
+    count = grid.shape[0] * grid.shape[1]
+    limit = np.broadcast_to(np.ravel(far), count)
+    asked = np.flatnonzero(~np.isnan(limit))
+    eye = grid.plane.normal
+    origins = grid.plane.lift(grid.centres()[asked])
+    enter, leave = _within(box, origins, -eye)
+    start, stop = np.maximum(enter, near), np.minimum(leave, limit[asked])
+    inside = np.flatnonzero(stop >= start)
+    depth = np.full(count, np.inf)
+    face = np.full(count, -1, dtype=np.int64)
+    bary = np.zeros((count, 3))
+    if len(inside):
+        start, stop = start[inside], stop[inside]
+        hits = scene.hit(origins[inside] - start[:, None] * eye, -eye[None], far=float((stop - start).max()))
+        found = start + hits.distance
+        seen = np.flatnonzero(found <= stop + scene.tolerance)
+        at = asked[inside[seen]]
+        depth[at], face[at], bary[at] = found[seen], hits.face[seen], hits.bary[seen]
     return Sight(grid, depth.reshape(grid.shape), face, bary)
 
 

@@ -4,7 +4,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from popsim.geometry.arrays import FloatArray
+from popsim.geometry.arrays import BoolArray, FloatArray
 from popsim.geometry.plane import Plane
 from popsim.patches.clean import common
 from popsim.patches.piece import Piece
@@ -26,22 +26,53 @@ REACH = 1e6
 """mm; beyond any model."""
 
 
-def wanted(scene: RayScene, piece: Piece, settings: PatchSettings) -> "BaseGeometry":
-    """Silhouette of the model on a plate, in flat coordinates; it may be empty or in parts.
+UPRIGHT = 0.5
+"""Plates whose normal rises by less stand on what is below them, which closes doorways at their foot."""
 
-    Within the face all of the model in the plate's box of space shows that lies no deeper than `behind`; in the
-    rest of the room only what lies near the plane of the face. Patches inside show nothing: they are cut to what
-    both sides hide.
+
+def see(scene: RayScene, piece: Piece, settings: PatchSettings) -> None:
+    """Give a piece the silhouette of the model on it; it may be empty or in parts.
+
+    Within the face all of the model in the plate's box of space shows that lies no deeper than `behind`, and
+    what lies deeper where the rest encloses it; in the rest of the room only what lies near the plane of the
+    face. Patches inside show nothing: they are cut to what both sides hide.
     """
     grid = Grid.over(piece.plane, piece.room.bounds, settings.pixel)
     if not piece.plate.principal:
-        front = look(scene, grid, piece.box, -REACH, 0.0)
-        back_grid = Grid.over(_turned(piece.plane), _mirrored(piece.room.bounds), settings.pixel)
-        back = look(scene, back_grid, piece.box, -REACH, 0.0)
-        both = front.mask & back.mask[:, ::-1]
-        return common(mask_polygon(both, grid), piece.face)
-    sight = look(scene, grid, piece.box, -REACH, depths(piece, grid, piece.room))
-    return common(mask_polygon(sight.mask, grid), piece.room)
+        piece.shape = common(mask_polygon(_hidden(scene, piece, grid), grid), piece.face)
+        return
+    mask = look(scene, grid, piece.box, -REACH, depths(piece, grid, piece.room)).mask
+    dents = _enclosed(mask, piece, grid)
+    if dents.any():
+        dents &= look(scene, grid, piece.box, -REACH, np.where(dents, REACH, np.nan)).mask
+        piece.recesses = mask_polygon(dents, grid).buffer(grid.pixel)
+    piece.shape = common(mask_polygon(mask | dents, grid), piece.room)
+
+
+def _hidden(scene: RayScene, piece: Piece, grid: Grid) -> BoolArray:
+    """Pixels that the model hides from both sides of a patch inside, shape (rows, columns)."""
+    left, lower, right, upper = piece.room.bounds
+    behind = Grid.over(_turned(piece.plane), (-right, lower, -left, upper), grid.pixel)
+    masks = [look(scene, each, piece.box, -REACH, 0.0).mask for each in (grid, behind)]
+    return np.asarray(masks[0] & masks[1][:, ::-1])
+
+
+def _enclosed(mask: BoolArray, piece: Piece, grid: Grid) -> BoolArray:
+    """Pixels of the face that are no part of the mask, but enclosed by it and the foot of an upright plate."""
+    import shapely
+    from scipy.ndimage import binary_fill_holes
+
+    left, lower, right, _ = piece.face.bounds
+    walls = np.pad(mask, ((0, 1), (0, 0)))
+    if abs(piece.plane.normal[2]) < UPRIGHT:
+        rows, columns = grid.shape
+        foot = rows - round((lower - grid.low[1]) / grid.pixel)
+        low, high = (round((end - grid.low[0]) / grid.pixel) for end in (left, right))
+        walls[min(foot, rows), max(low, 0) : min(high, columns)] = True
+    inside = binary_fill_holes(walls)[:-1] & ~mask
+    at = np.flatnonzero(inside)
+    inside.ravel()[at] = shapely.contains_xy(piece.face, *grid.centres()[at].T)
+    return np.asarray(inside)
 
 
 def depths(piece: Piece, grid: Grid, region: "BaseGeometry") -> FloatArray:
@@ -52,9 +83,11 @@ def depths(piece: Piece, grid: Grid, region: "BaseGeometry") -> FloatArray:
     behind = min(piece.plate.behind, REACH)
     slab = min(SLAB * behind, SLAB_OF_FACE * float(np.sqrt(piece.face.area)))
     face, within = piece.face.buffer(grid.pixel / 2), region.buffer(grid.pixel / 2)
-    for polygon in (face, within):
+    for polygon in (face, within, piece.recesses):
         shapely.prepare(polygon)
     far = np.where(shapely.contains_xy(face, u, v), behind, slab)
+    if not piece.recesses.is_empty:
+        far[shapely.contains_xy(piece.recesses, u, v)] = REACH
     far[~shapely.contains_xy(within, u, v)] = np.nan
     return np.asarray(far)
 
@@ -62,8 +95,3 @@ def depths(piece: Piece, grid: Grid, region: "BaseGeometry") -> FloatArray:
 def _turned(plane: Plane) -> Plane:
     """The same plane seen from behind."""
     return Plane(plane.origin, -plane.u, plane.v)
-
-
-def _mirrored(bounds: tuple[float, float, float, float]) -> tuple[float, float, float, float]:
-    left, lower, right, upper = bounds
-    return -right, lower, -left, upper
