@@ -1,6 +1,7 @@
 """Writing the folder that a run leaves behind."""
 
 import json
+import os
 import shutil
 import tempfile
 from pathlib import Path
@@ -47,7 +48,12 @@ def deliver(run: DesignRun, folder: Path, *, command: str, footer: str, force: b
 
 
 def check_folder(folder: Path, force: bool) -> None:
-    """Raise OutputError if `folder` holds anything and `force` is false, or is no folder."""
+    """Raise OutputError if `folder` cannot be filled: no folder, not writable, or not empty without `force`."""
+    ground = next(path for path in (folder.absolute(), *folder.absolute().parents) if path.exists())
+    if ground != folder.absolute() and not ground.is_dir():
+        raise OutputError(f"{folder} cannot be made: {ground} is a file; choose another --output")
+    if not os.access(ground, os.W_OK):
+        raise OutputError(f"{folder} cannot be written: no permission for {ground}; choose another --output")
     if folder.exists() and not folder.is_dir():
         raise OutputError(f"{folder} is a file, not a folder; choose another name for --output")
     if folder.is_dir() and any(folder.iterdir()) and not force:

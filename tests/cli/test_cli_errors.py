@@ -1,0 +1,70 @@
+"""Bad input: one clear line on stderr, exit code 2, nothing written."""
+
+import json
+from pathlib import Path
+
+import pytest
+
+TRIANGLE = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
+
+
+@pytest.mark.parametrize(
+    ("name", "content", "word"),
+    [
+        ("empty.obj", "", "empty"),
+        ("letter.obj", "Dear Sir or Madam,\nwhere are my faces?\n", "face"),
+        ("point.obj", "v 0 0 0\n", "face"),
+        ("nan.obj", "v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", ""),
+        ("model.docx", "hello", "docx"),
+        ("flat.obj", TRIANGLE, ""),
+    ],
+)
+def test_what_is_no_model_is_named(popsim, tmp_path: Path, name: str, content: str, word: str) -> None:
+    (tmp_path / name).write_text(content)
+    done = popsim("design", name)
+    assert done.returncode == 2, done.stdout + done.stderr
+    last = done.stderr.strip().splitlines()[-1]
+    assert last.startswith("popsim: ") and word in last
+    assert "Traceback" not in done.stderr
+    assert {path.name for path in tmp_path.iterdir()} == {name}
+
+
+@pytest.mark.parametrize(
+    ("arguments", "word"),
+    [
+        (("design", "missing.obj"), "missing.obj: there is no such file"),
+        (("design", "m.obj", "--detail", 2), "detail"),
+        (("design", "m.obj", "--size", "big"), "--size"),
+        (("design", "m.obj", "--size", "3km"), "--size"),
+        (("design", "m.obj", "--paper", "A17"), "A17"),
+        (("design", "m.obj", "--style", "baroque"), "baroque"),
+        (("design", "m.obj", "--dpi", 5), "dpi"),
+        (("design", "m.obj", "--up", "w"), "--up"),
+        (("design", "m.obj", "-o", "m.obj"), "file, not a folder"),
+        (("verify", "missing.json"), "does not exist"),
+        (("verify", "m.obj"), "JSON"),
+        (("verify", "."), "folder"),
+        (("nonsense",), "nonsense"),
+    ],
+)
+def test_bad_arguments_are_named(popsim, tmp_path: Path, arguments: tuple[object, ...], word: str) -> None:
+    (tmp_path / "m.obj").write_text(TRIANGLE)
+    done = popsim(*arguments)
+    assert done.returncode == 2, done.stdout + done.stderr
+    assert word in done.stderr
+    assert "Traceback" not in done.stderr
+    assert {path.name for path in tmp_path.iterdir()} == {"m.obj"}
+
+
+def test_design_of_another_version_is_refused(popsim, tmp_path: Path) -> None:
+    (tmp_path / "d.json").write_text(json.dumps({"format": "popsim-design", "version": 99, "unit": "mm"}))
+    done = popsim("verify", "d.json")
+    assert done.returncode == 2
+    assert "version" in done.stderr and "99" in done.stderr
+
+
+def test_unwritable_folder_is_named(popsim, tmp_path: Path) -> None:
+    (tmp_path / "m.obj").write_text(TRIANGLE)
+    done = popsim("design", "m.obj", "-o", "m.obj/out")
+    assert done.returncode == 2
+    assert "m.obj/out cannot be made" in done.stderr
