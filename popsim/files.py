@@ -29,9 +29,7 @@ def read_bytes(path: Path, what: str) -> bytes:
 def refuse_overwrite(path: Path, force: bool) -> None:
     """Raise OutputError if `path` exists and `force` is false."""
     if path.exists() and not force:
-        raise OutputError(
-            f"{path} exists and is not overwritten; remove it, choose another name or add --force"
-        )
+        raise OutputError(f"{path} exists and is not overwritten; remove it, choose another name or add --force")
 
 
 def write_file(path: Path, write: Callable[[Path], object], *, force: bool) -> Path:
@@ -65,9 +63,7 @@ def write_file(path: Path, write: Callable[[Path], object], *, force: bool) -> P
         if isinstance(error, OutputError):
             raise
         reason = error.strerror or str(error)
-        raise OutputError(
-            f"{path} cannot be written ({reason}); choose a folder that can be written to"
-        ) from None
+        raise OutputError(f"{path} cannot be written ({reason}); choose a folder that can be written to") from None
     finally:
         if temporary is not None:
             temporary.unlink(missing_ok=True)
