@@ -4,15 +4,16 @@ from collections.abc import Callable
 from pathlib import Path
 
 from popsim.errors import InputError
+from popsim.export.dxf import write_dxf
+from popsim.export.fold import write_fold
+from popsim.export.job import Job
 from popsim.export.pdf import write_pdf
-from popsim.export.styles import Style
 from popsim.export.svg import write_svg
-from popsim.layout.sheet import Sheet
 
-Writer = Callable[[tuple[Sheet, ...], Path, Style, Path, str], tuple[Path, ...]]
-"""Sheets, path, style, folder of the textures, title; returns the files written."""
+Writer = Callable[[Job, Path], tuple[Path, ...]]
+"""Writes a job to a path, or to one file per sheet beside it; returns the files written."""
 
-FORMATS: dict[str, Writer] = {"pdf": write_pdf, "svg": write_svg}
+FORMATS: dict[str, Writer] = {"pdf": write_pdf, "svg": write_svg, "dxf": write_dxf, "fold": write_fold}
 
 
 def find_writer(name: str) -> Writer:

@@ -5,10 +5,11 @@ from typing import Any
 
 import numpy as np
 
+from popsim.export.job import Job
 from popsim.export.styles import Colour, Style
 from popsim.export.textures import read_texture
 from popsim.geometry.arrays import FloatArray
-from popsim.layout.sheet import Area, Line, Mark, Picture, Role, Sheet, Text
+from popsim.layout.sheet import Area, Line, Mark, Picture, Role, Text
 
 POINTS = 72 / 25.4
 """Points in a millimetre."""
@@ -17,21 +18,19 @@ FONT, BOLD = "Vera", "VeraBd"
 """Bitstream Vera Sans comes with reportlab and is embedded, so that every printer shows the same."""
 
 
-def write_pdf(
-    sheets: tuple[Sheet, ...], path: Path, style: Style, texture_root: Path, title: str
-) -> tuple[Path, ...]:
+def write_pdf(job: Job, path: Path) -> tuple[Path, ...]:
     """Write all sheets into one file; the same sheets give the same bytes."""
     from reportlab.pdfgen.canvas import Canvas
 
     _register_fonts()
     canvas = Canvas(str(path), invariant=1, pageCompression=1, initialFontName="Helvetica")
-    canvas.setTitle(title)
+    canvas.setTitle(job.title)
     canvas.setCreator("popsim")
     canvas.setViewerPreference("PrintScaling", "None")
-    for sheet in sheets:
+    for sheet in job.sheets:
         canvas.setPageSize((sheet.width * POINTS, sheet.height * POINTS))
         for mark in sheet.marks:
-            _draw(canvas, mark, style, texture_root)
+            _draw(canvas, mark, job.style, job.texture_root)
         canvas.showPage()
     canvas.save()
     return (path,)

@@ -8,6 +8,7 @@ from pathlib import Path
 from popsim.assembly import AssemblyPlan, draw_steps
 from popsim.errors import OutputError
 from popsim.export.formats import find_writer
+from popsim.export.job import Job
 from popsim.export.styles import find_style
 from popsim.files import refuse_overwrite, write_file
 from popsim.layout import Layout, draw_sheets
@@ -58,12 +59,13 @@ def export(
         A file exists, or the folder cannot be written.
     """
     writer, look = find_writer(format), find_style(style)
-    sheets = draw_sheets(layout if plan is None else plan.layout, footer=footer, banner=banner)
+    layout = layout if plan is None else plan.layout
+    sheets = draw_sheets(layout, footer=footer, banner=banner)
     if plan is not None:
         sheets += draw_steps(plan)
     try:
         with tempfile.TemporaryDirectory() as folder:
-            made = writer(sheets, Path(folder) / path.name, look, texture_root, path.stem)
+            made = writer(Job(layout, sheets, look, texture_root, path.stem), Path(folder) / path.name)
             targets = [path.with_name(file.name) for file in made]
             for target in targets:
                 refuse_overwrite(target, force)

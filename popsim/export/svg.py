@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from popsim.export.job import Job, numbered
 from popsim.export.styles import Colour, Style
 from popsim.export.textures import read_texture
 from popsim.geometry.arrays import FloatArray
@@ -20,14 +21,14 @@ FONTS = "Bitstream Vera Sans, DejaVu Sans, Verdana, sans-serif"
 ANCHORS = {"start": "start", "middle": "middle", "end": "end"}
 
 
-def write_svg(
-    sheets: tuple[Sheet, ...], path: Path, style: Style, texture_root: Path, title: str
-) -> tuple[Path, ...]:
+def write_svg(job: Job, path: Path) -> tuple[Path, ...]:
     """Write each sheet into its own file, `path` with "-1", "-2" ... before the suffix."""
     written = []
-    for number, sheet in enumerate(sheets, 1):
-        own = path.with_name(f"{path.stem}-{number}{path.suffix}")
-        own.write_text(_drawing(sheet, style, texture_root, f"{title}, {sheet.name}"), encoding="utf-8")
+    for number, sheet in enumerate(job.sheets, 1):
+        own = numbered(path, number)
+        own.write_text(
+            _drawing(sheet, job.style, job.texture_root, f"{job.title}, {sheet.name}"), encoding="utf-8"
+        )
         written.append(own)
     return tuple(written)
 

@@ -45,8 +45,8 @@ class Flap:
 
     Attributes
     ----------
-    joint:
-        What it holds together.
+    joint, stretch:
+        What it holds together, and the index of the stretch of that line.
     carrier, target:
         Ids of the part it is cut with and of the part it is glued to.
     polygon:
@@ -64,6 +64,7 @@ class Flap:
     """
 
     joint: Joint
+    stretch: int
     carrier: str
     target: str
     polygon: "Polygon"
@@ -187,6 +188,7 @@ class _Bench:
         self.landed.setdefault((site.target.id, site.face), []).append(landing)
         return Flap(
             joint=site.joint,
+            stretch=site.stretch,
             carrier=site.carrier.id,
             target=site.target.id,
             polygon=polygon,

@@ -13,6 +13,9 @@ from popsim.layout.folding import FLAT, Crease, bend, into
 from popsim.layout.joints import Joint
 from popsim.layout.parts import Part
 
+CROWDED = 4
+"""Added to the rank of a flap on an edge where other joints run: their flaps would need the same edge."""
+
 
 class Face(Enum):
     """A side of the paper; the value is its sign along the printed normal."""
@@ -84,11 +87,17 @@ def sites(
         for side, paper in ((1, seen[other].left), (-1, seen[other].right)):
             if paper:
                 pair, views = (parts[one], parts[other]), (seen[one], seen[other])
-                yield from _landings(joint, stretch, pair, views, side, inside)
+                yield from _landings(joint, stretch, pair, views, side, inside, 0 if alone[one] else CROWDED)
 
 
 def _landings(
-    joint: Joint, stretch: int, parts: tuple[Part, Part], seen: tuple[Contact, Contact], side: int, inside: bool
+    joint: Joint,
+    stretch: int,
+    parts: tuple[Part, Part],
+    seen: tuple[Contact, Contact],
+    side: int,
+    inside: bool,
+    rank: int,
 ) -> Iterator[Site]:
     """Sites on one side of the line; `inside` the target's paper only the carrier's own face is reached."""
     carrier, target = parts
@@ -114,7 +123,7 @@ def _landings(
             face=face,
             crease=Crease.NONE if joint.hinge is None else bend(normal, ahead, joint.hinge),
             glue_on_print=_glue_on_print(normal, back, ahead, face.value * target.plane.normal),
-            rank=(0 if hidden else 2) + (0 if reached else 1),
+            rank=rank + (0 if hidden else 2) + (0 if reached else 1),
         )
 
 

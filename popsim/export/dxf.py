@@ -1,0 +1,112 @@
+"""DXF (R2010, millimetres), one file per sheet, one layer per role, for machines that take nothing else.
+
+Only lines and texts: pictures and filled areas have no place in cutting software. Glue areas are outlined.
+"""
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from popsim.export.job import Job, numbered
+from popsim.export.styles import Colour, Style
+from popsim.geometry.arrays import FloatArray
+from popsim.layout.sheet import Area, Line, Mark, Picture, Role, Sheet, Text
+
+if TYPE_CHECKING:
+    from ezdxf.document import Drawing
+    from ezdxf.layouts import Modelspace
+
+MILLIMETRES = 4
+"""$INSUNITS."""
+
+
+def write_dxf(job: Job, path: Path) -> tuple[Path, ...]:
+    """Write each sheet into its own file, `path` with "-1", "-2" ... before the suffix; no pictures."""
+    written = []
+    for number, sheet in enumerate(job.sheets, 1):
+        own = numbered(path, number)
+        _save(_document(sheet, job.style), own)
+        written.append(own)
+    return tuple(written)
+
+
+def _document(sheet: Sheet, style: Style) -> "Drawing":
+    import ezdxf
+
+    document = ezdxf.new("R2010")
+    document.header["$INSUNITS"] = MILLIMETRES
+    document.header["$MEASUREMENT"] = 1
+    document.header["$EXTMIN"], document.header["$EXTMAX"] = (0, 0, 0), (sheet.width, sheet.height, 0)
+    for role in Role:
+        stroke = style.stroke(role)
+        layer = document.layers.add(role.value, true_color=_true_colour(stroke.colour))
+        layer.dxf.lineweight = _line_weight(stroke.width)
+        if stroke.dashes:
+            document.linetypes.add(role.value, pattern=_pattern(stroke.dashes), description=role.value)
+            layer.dxf.linetype = role.value
+    space = document.modelspace()
+    for mark in sheet.marks:
+        _draw(space, mark)
+    return document
+
+
+def _draw(space: "Modelspace", mark: Mark) -> None:
+    from ezdxf.enums import TextEntityAlignment
+
+    layer = {"layer": mark.role.value}
+    match mark:
+        case Line():
+            look = {} if mark.looks is None else {"color": 256, "linetype": _look(space, mark.looks)}
+            space.add_lwpolyline(_rounded(mark.points), close=mark.closed, dxfattribs=layer | look)
+        case Area():
+            for ring in mark.rings:
+                space.add_lwpolyline(_rounded(ring), close=True, dxfattribs=layer)
+        case Text():
+            align = {
+                "start": TextEntityAlignment.LEFT,
+                "middle": TextEntityAlignment.CENTER,
+                "end": TextEntityAlignment.RIGHT,
+            }
+            text = space.add_text(
+                mark.text, height=0.73 * mark.size, rotation=float(np.degrees(mark.angle)), dxfattribs=layer
+            )
+            text.set_placement(tuple(_rounded(mark.at[None])[0]), align=align[mark.anchor])
+        case Picture():
+            pass  # the cutter needs the outline alone
+
+
+def _look(space: "Modelspace", role: Role) -> str:
+    document = space.doc
+    return role.value if document is not None and role.value in document.linetypes else "CONTINUOUS"
+
+
+def _rounded(points: FloatArray) -> list[tuple[float, float]]:
+    return [(float(x), float(y)) for x, y in np.round(points, 4) + 0.0]
+
+
+def _pattern(dashes: tuple[float, ...]) -> list[float]:
+    """Total length, then dashes (positive) and gaps (negative)."""
+    return [sum(dashes), *(dash if k % 2 == 0 else -dash for k, dash in enumerate(dashes))]
+
+
+def _true_colour(colour: Colour) -> int:
+    red, green, blue = (round(255 * part) for part in colour)
+    return red << 16 | green << 8 | blue
+
+
+def _line_weight(width: float) -> int:
+    """The nearest line weight that the format knows, 1/100 mm."""
+    return min((9, 13, 15, 18, 20, 25, 30, 35, 40, 50), key=lambda weight: abs(weight - 100 * width))
+
+
+def _save(document: "Drawing", path: Path) -> None:
+    """Save with fixed dates and ids, so that the same sheet gives the same bytes."""
+    import ezdxf
+
+    before = ezdxf.options.write_fixed_meta_data_for_testing
+    ezdxf.options.write_fixed_meta_data_for_testing = True
+    try:
+        document.saveas(path)
+    finally:
+        ezdxf.options.write_fixed_meta_data_for_testing = before
