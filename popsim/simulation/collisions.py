@@ -1,7 +1,6 @@
 """Plates that cross while the card closes."""
 
 from collections import defaultdict
-from dataclasses import dataclass
 from typing import Any
 from xml.sax.saxutils import quoteattr
 
@@ -10,6 +9,7 @@ import numpy as np
 from popsim.design import Patch
 from popsim.geometry.arrays import FloatArray
 from popsim.simulation.candidates import Candidate, candidate_pairs
+from popsim.simulation.contact import Contact, closing_frames, contact_of
 from popsim.simulation.mjcf import text
 from popsim.simulation.pieces import convex_pieces
 from popsim.simulation.sweep import Sweep
@@ -18,50 +18,22 @@ SKIN = 1e-4
 """Half thickness of the plates that MuJoCo collides, over the extent of the scene: it wants volume. Depths are
 corrected by it."""
 
-STACKED_DEGREES = 1.0
-"""Below this fold angle the card counts as closed: patches lie on each other, and what crossed before matters."""
 
+def find_crossings(sweep: Sweep, tolerance: float) -> list[Contact]:
+    """All pairs of patches that cross by more than `tolerance` mm while the card closes.
 
-@dataclass(frozen=True)
-class Contact:
-    """Two patches that cross.
-
-    Attributes
-    ----------
-    patches:
-        Their ids, in the order of the design.
-    first:
-        Fold angle at which they first cross while closing, rad.
-    depth:
-        How far one reaches through the other at most, mm: the least shift that would part them.
-    deepest:
-        Fold angle of that, rad.
+    Depths are those of MuJoCo's convex collision: the least shift that would part the deepest pieces.
     """
-
-    patches: tuple[str, str]
-    first: float
-    depth: float
-    deepest: float
-
-
-def find_contacts(sweep: Sweep, tolerance: float) -> list[Contact]:
-    """All pairs that cross by more than `tolerance` mm while the card closes, the deepest first."""
-    count = int((sweep.degrees[: sweep.closed + 1] >= STACKED_DEGREES - 1e-9).sum())
-    frames = range(count)
-    candidates = candidate_pairs(sweep, frames, tolerance)
+    candidates = candidate_pairs(sweep, range(closing_frames(sweep)), tolerance)
     if not candidates:
         return []
     depths = _depths(sweep, candidates)
-    contacts = []
-    for candidate in candidates:
-        pair = (candidate.first, candidate.second)
-        crossing = {angle: depth for angle, depth in depths[pair].items() if depth > tolerance}
-        if crossing:
-            deepest = max(crossing, key=lambda angle: crossing[angle])
-            first, second = (sweep.design.patches[k].id for k in pair)
-            angles = sweep.theta[[min(crossing), deepest]]
-            contacts.append(Contact((first, second), float(angles[0]), crossing[deepest], float(angles[1])))
-    return sorted(contacts, key=lambda contact: (-contact.depth, contact.patches))
+    names = [patch.id for patch in sweep.design.patches]
+    found = [
+        contact_of(sweep, (names[one.first], names[one.second]), depths[one.first, one.second], tolerance)
+        for one in candidates
+    ]
+    return [contact for contact in found if contact is not None]
 
 
 def _depths(sweep: Sweep, candidates: list[Candidate]) -> dict[tuple[int, int], dict[int, float]]:

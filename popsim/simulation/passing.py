@@ -5,25 +5,22 @@ from collections.abc import Iterable
 import numpy as np
 
 from popsim.geometry.plane import line_distance
-from popsim.simulation.collisions import STACKED_DEGREES, Contact
+from popsim.simulation.contact import Contact, closing_frames, contact_of
 from popsim.simulation.sweep import Sweep
 from popsim.simulation.turning import Turn, turned
 
 
 def find_passing(sweep: Sweep, turns: Iterable[Turn], tolerance: float) -> list[Contact]:
     """Hinges whose patches pass each other by more than `tolerance` mm at the far edge while the card closes."""
-    count = int((sweep.degrees[: sweep.closed + 1] >= STACKED_DEGREES - 1e-9).sum())
+    count = closing_frames(sweep)
     found = []
     for turn in turns:
         places = [sweep.index[name] for name in turn.hinge.patches]
         angle = turned(turn.hinge, *(sweep.poses[:count, place] for place in places))
         over = np.maximum(np.maximum(turn.lower - angle, angle - turn.upper), 0.0)
         depth = np.sin(np.minimum(over, np.pi / 2)) * _reach(sweep, turn)
-        if depth.max() > tolerance:
-            deepest, first = int(depth.argmax()), int((depth > tolerance).argmax())
-            angles = sweep.theta[[first, deepest]]
-            contact = Contact(turn.hinge.patches, float(angles[0]), float(depth[deepest]), float(angles[1]))
-            found.append(contact)
+        contact = contact_of(sweep, turn.hinge.patches, dict(enumerate(depth.tolist())), tolerance)
+        found += [] if contact is None else [contact]
     return found
 
 

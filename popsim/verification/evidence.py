@@ -3,11 +3,13 @@
 from dataclasses import dataclass
 
 from popsim.design import Design
-from popsim.simulation.collisions import Contact, find_contacts
+from popsim.simulation.collisions import find_crossings
+from popsim.simulation.contact import Contact
 from popsim.simulation.extents import Farthest, flatness, protrusion, reopening
 from popsim.simulation.folding import fold_design
 from popsim.simulation.gaps import Gaps
 from popsim.simulation.passing import find_passing
+from popsim.simulation.piercing import find_piercings
 from popsim.simulation.stability import FreeMotions, Push, free_motions, push_test
 from popsim.simulation.sweep import Sweep
 from popsim.verification.settings import Settings
@@ -54,7 +56,8 @@ def gather(design: Design, settings: Settings) -> Evidence:
     if not sweep.complete or not gaps.largest <= settings.play:
         return Evidence(sweep, gaps, rig.scale)
     contacts = [
-        *find_contacts(sweep, settings.crossing),
+        *find_crossings(sweep, settings.crossing),
+        *find_piercings(sweep, settings.crossing, gaps.largest),
         *find_passing(sweep, rig.turns.values(), settings.crossing),
     ]
     return Evidence(

@@ -3,7 +3,7 @@
 import numpy as np
 
 from popsim.mechanisms.condition import Aspect
-from popsim.simulation.collisions import Contact
+from popsim.simulation.contact import Contact
 from popsim.verification.evidence import Evidence
 from popsim.verification.settings import Settings
 from popsim.verification.verdict import Grade, Measure
