@@ -4,6 +4,7 @@ import typer
 
 from popsim import __version__
 from popsim.cli.design import design
+from popsim.cli.render import render
 from popsim.cli.schema import schema
 from popsim.cli.verify import verify
 
@@ -30,5 +31,5 @@ def _options(
     pass
 
 
-for command in (design, verify, schema):
+for command in (design, verify, render, schema):
     app.command()(command)

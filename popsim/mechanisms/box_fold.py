@@ -207,7 +207,7 @@ class BoxFold(Mechanism):
             return
         if isinstance(primitive, RectangularPrism) and not primitive.turned:
             half = min(-primitive.low[1], primitive.high[1])
-            tops = (Top(primitive.low[0], primitive.high[0], primitive.high[2] - pair.v),)
+            tops: tuple[Top, ...] = (Top(primitive.low[0], primitive.high[0], primitive.high[2] - pair.v),)
         elif isinstance(primitive, PrismRow):
             half, lift = primitive.half_width, primitive.base - pair.v
             tops = tuple(Top(x0, x1, height + lift) for x0, x1, height in primitive.tops)

@@ -24,7 +24,7 @@ from popsim.mechanisms.base import (
 from popsim.mechanisms.fault import Fault
 from popsim.mechanisms.members import Members
 from popsim.mechanisms.pair import BasePatchPair, PairKind
-from popsim.mechanisms.primitive import Primitive
+from popsim.mechanisms.primitive import RectangularPrism, TriangularPrism
 from popsim.mechanisms.room import LEAST, Room, draw
 from popsim.mechanisms.v_fold_parts import Part, Walls, find_roof, find_walls
 
@@ -180,7 +180,11 @@ class VFold(Mechanism):
 
     @classmethod
     def _from_box(
-        cls, primitive: Primitive, pair: BasePatchPair, id: str, facings: tuple[Literal[1, -1], ...]
+        cls,
+        primitive: RectangularPrism | TriangularPrism,
+        pair: BasePatchPair,
+        id: str,
+        facings: tuple[Literal[1, -1], ...],
     ) -> Iterator[Self]:
         """v-folds in the box around `primitive`, one per facing, where the pair has room."""
         (x0, y0, _), (x1, y1, z1) = primitive.low, primitive.high

@@ -48,7 +48,7 @@ def _renderer() -> Any:
             raise ImportError("neither libEGL nor libOSMesa is installed")
         os.environ[PLATFORM] = found[0]
     import pyrender
-    from OpenGL import GL  # type: ignore[import-untyped]  # PyOpenGL ships no types
+    from OpenGL import GL
 
     renderer = pyrender.OffscreenRenderer(8, 8)
     for state in (GL.GL_SAMPLE_ALPHA_TO_COVERAGE, GL.GL_SAMPLE_ALPHA_TO_ONE):  # holes let through

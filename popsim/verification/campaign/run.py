@@ -65,7 +65,7 @@ def _outcomes(tasks: list[Task], jobs: int, settings: Settings) -> Iterator[Outc
     if jobs == 1 or len(tasks) <= BATCH:
         yield from (try_task(task, settings) for task in tasks)
         return
-    from joblib import Parallel, delayed  # type: ignore[import-untyped]  # it ships no types
+    from joblib import Parallel, delayed
 
     parallel = Parallel(n_jobs=jobs, batch_size=BATCH, return_as="generator")
     yield from parallel(delayed(try_task)(task, settings) for task in tasks)
