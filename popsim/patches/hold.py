@@ -26,6 +26,9 @@ BAND = 1.5
 WITHIN = 0.3
 """mm; paper that holds something inside its outline reaches at least this far around the line."""
 
+LEVEL = 0.5
+"""mm; outlines whose distances from a line differ by less are equally near."""
+
 ROUNDING = 1e-6
 """mm."""
 
@@ -114,19 +117,32 @@ def hold(runs: list[Run], settings: PatchSettings) -> bool:
     along = np.asarray((np.arange(count) + 0.5) * (length / count), np.float64)
     each = [run.distances(along) for run in runs]
     cost = np.max(each, axis=0)
-    needed = min(length, max(settings.least_length, settings.least_share * length))
-    limits = [settings.snap, *(float(far) for far in np.unique(cost[cost > settings.snap]))]
-    for limit in limits:
-        stretches = _stretches(cost <= limit, along, length, settings)
-        if sum(high - low for low, high in stretches) >= needed - ROUNDING:
-            break
+    near = _near(cost, along, length, settings)
+    stretches = _stretches(near, along, length, settings)
     for run, distance in zip(runs, each, strict=True):
         for low, high in stretches:
             within = (along > low) & (along < high)
-            strip = run.strip(low, high, along[within], np.minimum(distance[within], limit))
+            strip = run.strip(low, high, along[within], np.minimum(distance[within], cost[near].max()))
             run.piece.shape = union(run.piece.shape, strip)
             run.piece.held.append(strip)
-    return bool(limit > settings.snap)
+    return bool(cost[near].max() > settings.snap)
+
+
+def _near(cost: FloatArray, along: FloatArray, length: float, settings: PatchSettings) -> BoolArray:
+    """Places at which the outline is joined to the line: those within snap, and of the rest as few as hold.
+
+    The rest are taken nearest to the line first; of those equally near, the ones beside places taken already.
+    """
+    needed = min(length, max(settings.least_length, settings.least_share * length)) - ROUNDING
+    near = cost <= settings.snap
+    seeds = along[near] if near.any() else along[cost.argmin()][None]
+    aside = np.abs(along[:, None] - seeds[None, :]).min(axis=1)
+    order = np.lexsort((aside, np.ceil(cost / LEVEL)))
+    for place in order[~near[order]]:
+        if sum(high - low for low, high in _stretches(near, along, length, settings)) >= needed:
+            break
+        near[place] = True
+    return np.asarray(near)
 
 
 def _stretches(
