@@ -11,6 +11,12 @@ from popsim.files import read_bytes
 MOST_BYTES = 512 * 2**20
 """Files beyond this are refused unread."""
 
+MOST_PATCHES = 20_000
+"""More are refused before any other work is done; verification is meant for thousands."""
+
+MOST_HINGES = 5 * MOST_PATCHES
+"""Likewise; contours may cut a hinge into several."""
+
 
 def load_design(path: Path) -> Design:
     """Read a design file.
@@ -74,7 +80,7 @@ def design_schema() -> dict[str, Any]:
         "$schema": "https://json-schema.org/draft/2020-12/schema",
         "title": "popsim design",
         **{key: value for key, value in schema.items() if key != "title"},
-        "required": ["format", "version", "unit", "card", "patches", "hinges", "mechanisms"],
+        "required": ["format", "version", "unit", "card", "patches", "hinges"],
     }
 
 
@@ -100,6 +106,9 @@ def _check_head(data: dict[str, Any], name: str) -> None:
         if data[field] != expected or isinstance(data[field], bool):
             found = json.dumps(data[field])[:60]
             raise DesignError(f"{name}: {field}: expected {json.dumps(expected)}, found {found}")
+    for field, most in (("patches", MOST_PATCHES), ("hinges", MOST_HINGES)):
+        if isinstance(data.get(field), list) and len(data[field]) > most:
+            raise DesignError(f"{name}: {field}: {len(data[field])} is more than the {most} that can be handled")
 
 
 def _first_problem(errors: list[Any]) -> str:

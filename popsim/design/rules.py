@@ -26,17 +26,12 @@ SMALLEST = 1e-4
 TOUCHING = 0.05
 """mm; how far a hinge may lie beside the outline of its patch."""
 
-MOST_PATCHES = 20_000
-"""More are refused before any work is done; verification is meant for thousands."""
-
 COPLANAR = 1e-6
 """1 - |cos| below which two patches lie in one plane (0.08 degrees)."""
 
 
 def check_rules(design: Design) -> None:
     """Raise DesignError at the first rule that `design` breaks."""
-    if len(design.patches) > MOST_PATCHES:
-        raise DesignError(f"patches: {len(design.patches)} is more than the {MOST_PATCHES} that can be handled")
     _unique("patches", (patch.id for patch in design.patches))
     _unique("hinges", (hinge.id for hinge in design.hinges))
     _unique("mechanisms", (mechanism.id for mechanism in design.mechanisms))
@@ -51,6 +46,7 @@ def check_rules(design: Design) -> None:
         _check_hinge(f"hinges[{index}] ({hinge.id})", hinge, design, polygons)
     _check_repeats(design.hinges)
     _check_mechanisms(design)
+    _check_order(design)
     _check_reachable(design)
 
 
@@ -94,6 +90,10 @@ def _checked_polygon(field: str, patch: Patch) -> "Polygon":
 def _check_texture(field: str, texture: str | None) -> None:
     if texture is None:
         return
+    if "\0" in texture or not PurePosixPath(texture).name:
+        raise DesignError(
+            f"{field}.texture: {texture!r} names no file; give a path within the design's folder or null"
+        )
     for path in (PurePosixPath(texture), PureWindowsPath(texture)):
         if path.is_absolute() or path.drive or ".." in path.parts:
             raise DesignError(
@@ -208,6 +208,20 @@ def _check_mechanisms(design: Design) -> None:
         if piece.mechanism is not None and owner and owner.get(piece.id) != piece.mechanism:
             raise DesignError(
                 f"patches[{position}] ({piece.id}).mechanism: {piece.mechanism!r} does not list it under patches"
+            )
+
+
+def _check_order(design: Design) -> None:
+    """No mechanism stands on itself by way of others."""
+    stands_on = {m.id: {design.owner[base] for base in m.base if base in design.owner} for m in design.mechanisms}
+    settled: set[str] = set()
+    while free := [name for name, hosts in stands_on.items() if name not in settled and hosts <= settled]:
+        settled.update(free)
+    for index, mechanism in enumerate(design.mechanisms):
+        if mechanism.id not in settled:
+            raise DesignError(
+                f"mechanisms[{index}] ({mechanism.id}).base: it stands on itself by way of "
+                f"{', '.join(sorted(stands_on[mechanism.id]))}; let each stand on the card or on an earlier one"
             )
 
 
