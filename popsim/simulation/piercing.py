@@ -16,7 +16,7 @@ from popsim.simulation.neighbours import touching
 from popsim.simulation.sweep import Sweep
 
 IN_PLANE = 1e-3
-"""mm; a fold nearer than this to a plane lies in it. Folds that are farther off cross with one of their patches."""
+"""mm; a fold nearer than this to a plane lies in it. Folds farther off cross with one of their patches."""
 
 SAMPLES = 17
 """Places along a fold where it is looked at, ends included."""

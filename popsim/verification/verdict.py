@@ -89,8 +89,9 @@ class Finding:
 
     @property
     def worst(self) -> Measure | None:
-        """The measure nearest to, or farthest beyond, its tolerance."""
-        return max(self.measures, key=lambda measure: measure.excess, default=None)
+        """The measure to show: the most broken one, or the first where none is."""
+        broken = [measure for measure in self.measures if not measure.holds]
+        return max(broken, key=lambda measure: measure.excess, default=next(iter(self.measures), None))
 
 
 @dataclass(frozen=True, eq=False)
