@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from popsim.geometry.arrays import BoolArray, FloatArray, IntArray
+from popsim.geometry.rigid import transform
 from popsim.simulation.neighbours import touching
 from popsim.simulation.sweep import Sweep
 
@@ -64,20 +65,17 @@ class _Straddling:
         picked = [np.arange(self._bounds[k], self._bounds[k + 1]) for k in others]
         starts = np.cumsum([0, *(len(corners) for corners in picked[:-1])])
         away = self._corners[:, np.concatenate(picked)] - self._origins[:, patch, None]
-        height = np.einsum("nvi,ni->nv", away, self._normals[:, patch])
+        height = (away @ self._normals[:, patch, :, None])[..., 0]
         below = np.minimum.reduceat(height, starts, axis=1) < -self._least
         above = np.maximum.reduceat(height, starts, axis=1) > self._least
         return np.asarray(below & above)
 
 
 def _corners(sweep: Sweep, frames: range) -> tuple[FloatArray, IntArray]:
-    """Outline corners of all patches, shape (n, v, 3), and where each patch starts."""
+    """Hull corners of all patches, shape (n, v, 3), and where each patch starts."""
     poses = sweep.poses[frames.start : frames.stop]
-    parts = [
-        patch.points @ np.swapaxes(poses[:, k, :3, :3], -1, -2) + poses[:, k, None, :3, 3]
-        for k, patch in enumerate(sweep.design.patches)
-    ]
-    starts = np.cumsum([0, *(len(patch.points) for patch in sweep.design.patches[:-1])], dtype=np.int64)
+    parts = [transform(poses[:, k], hull) for k, hull in enumerate(sweep.hulls)]
+    starts = np.cumsum([0, *(len(hull) for hull in sweep.hulls[:-1])], dtype=np.int64)
     return np.concatenate(parts, axis=1), starts
 
 

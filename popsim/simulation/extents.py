@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from popsim.geometry.arrays import FloatArray
+from popsim.geometry.rigid import transform
 from popsim.simulation.forest import PAGES
 from popsim.simulation.sweep import Sweep
 
@@ -31,7 +32,8 @@ def reopening(sweep: Sweep) -> Farthest:
     """Greatest distance of any corner from where it was before closing and opening, mm."""
 
     def moved(patch: str) -> float:
-        return float(np.linalg.norm(_at(sweep, patch, -1) - _at(sweep, patch, 0), axis=-1).max())
+        first, last = (_at(sweep, patch, position) for position in (0, -1))
+        return float(np.linalg.norm(last - first, axis=-1).max())
 
     return _farthest(sweep, moved)
 
@@ -54,7 +56,7 @@ def protrusion(sweep: Sweep) -> Farthest:
 
 def sweep_range(sweep: Sweep, patches: tuple[str, ...]) -> tuple[float, float]:
     """Least and greatest x that any of `patches` reaches, mm."""
-    xs = [sweep.moved(name, sweep.design.patch_by_id[name].points)[..., 0] for name in patches]
+    xs = [sweep.moved(name)[..., 0] for name in patches]
     return min(float(x.min()) for x in xs), max(float(x.max()) for x in xs)
 
 
@@ -69,10 +71,11 @@ def _silhouette(sweep: Sweep, patch: str) -> "BaseGeometry":
     from shapely import make_valid
     from shapely.geometry import Polygon
 
-    return make_valid(Polygon(_at(sweep, patch, sweep.closed)[:, [0, 2]]))
+    outline = transform(sweep.poses[sweep.closed, sweep.index[patch]], sweep.design.patch_by_id[patch].points)
+    return make_valid(Polygon(outline[:, [0, 2]]))
 
 
 def _at(sweep: Sweep, patch: str, position: int) -> FloatArray:
-    """Corners of a patch at one recorded angle, shape (k, 3)."""
-    pose = sweep.poses[position, sweep.index[patch]]
-    return np.asarray(sweep.design.patch_by_id[patch].points @ pose[:3, :3].T + pose[:3, 3])
+    """Hull corners of a patch at one recorded angle, shape (k, 3)."""
+    place = sweep.index[patch]
+    return transform(sweep.poses[position, place], sweep.hulls[place])

@@ -34,10 +34,11 @@ def find_piercings(sweep: Sweep, tolerance: float, play: float) -> list[Contact]
     count = closing_frames(sweep)
     first = [sweep.index[hinge.patches[0]] for hinge in hinges]
     axes = transform(sweep.poses[:count, first], np.array([hinge.points for hinge in hinges]))
+    boxes = axes.min(axis=2), axes.max(axis=2)
     apart = touching(sweep.design)
     contacts = []
     for place, patch in enumerate(sweep.design.patches):
-        frames, folds = _inside(sweep, patch, axes, near)
+        frames, folds = _inside(sweep, patch, axes, boxes, near)
         depths: dict[int, dict[int, float]] = defaultdict(dict)
         for frame, fold in zip(frames.tolist(), folds.tolist(), strict=True):
             if not apart[place, first[fold]]:
@@ -50,16 +51,17 @@ def find_piercings(sweep: Sweep, tolerance: float, play: float) -> list[Contact]
     return contacts
 
 
-def _inside(sweep: Sweep, patch: Patch, axes: FloatArray, near: float) -> tuple[IntArray, IntArray]:
+def _inside(
+    sweep: Sweep, patch: Patch, axes: FloatArray, boxes: tuple[FloatArray, FloatArray], near: float
+) -> tuple[IntArray, IntArray]:
     """Frames and folds at which both ends of the fold lie in the plane of `patch`, and boxes meet."""
-    corners = sweep.moved(patch.id, patch.points)[: len(axes)]
-    turned = sweep.poses[: len(axes), sweep.index[patch.id], :3, :3] @ patch.plane.normal
-    height = np.einsum("nhki,ni->nhk", axes - corners[:, None, :1], turned)
-    flat = (np.abs(height) < near).all(axis=-1)
-    ahead = axes.min(axis=2) <= corners.max(axis=1)[:, None] + near
-    behind = axes.max(axis=2) >= corners.min(axis=1)[:, None] - near
-    frames, folds = np.nonzero(flat & (ahead & behind).all(axis=-1))
-    return frames.astype(np.int64), folds.astype(np.int64)
+    corners = sweep.moved(patch.id, len(axes))
+    low, high = corners.min(axis=1) - near, corners.max(axis=1) + near
+    frames, folds = np.nonzero(((boxes[0] <= high[:, None]) & (boxes[1] >= low[:, None])).all(axis=-1))
+    normals = sweep.poses[: len(axes), sweep.index[patch.id], :3, :3] @ patch.plane.normal
+    away = axes[frames, folds] - corners[frames, :1]
+    flat = (np.abs(away @ normals[frames, :, None])[..., 0] < near).all(axis=-1)
+    return frames[flat].astype(np.int64), folds[flat].astype(np.int64)
 
 
 def _on_both_sides(sweep: Sweep, fold: Hinge, patch: Patch, frame: int, limits: tuple[float, float]) -> bool:
@@ -72,8 +74,8 @@ def _on_both_sides(sweep: Sweep, fold: Hinge, patch: Patch, frame: int, limits: 
     origin, normal = pose[:3, :3] @ patch.points[0] + pose[:3, 3], pose[:3, :3] @ patch.plane.normal
     sides = []
     for name in fold.patches:
-        own = sweep.poses[frame, sweep.index[name]]
-        height = (transform(own, sweep.design.patch_by_id[name].points) - origin) @ normal
+        place = sweep.index[name]
+        height = (transform(sweep.poses[frame, place], sweep.hulls[place]) - origin) @ normal
         before = height.max() > far and height.min() > -near
         behind = height.min() < -far and height.max() < near
         sides.append(int(before) - int(behind))

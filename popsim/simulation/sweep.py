@@ -8,6 +8,7 @@ import numpy as np
 from popsim.design import Design
 from popsim.geometry.arrays import FloatArray
 from popsim.geometry.rigid import transform
+from popsim.simulation.hull import hull_corners
 from popsim.simulation.rig import Rig, page_quaternions
 from popsim.simulation.schedule import Schedule
 from popsim.simulation.solver import Pacing
@@ -45,6 +46,11 @@ class Sweep:
         """Position of each patch in the design, by id."""
         return {patch.id: position for position, patch in enumerate(self.design.patches)}
 
+    @cached_property
+    def hulls(self) -> tuple[FloatArray, ...]:
+        """Corners of the convex hull of each patch, open pose, in the order of the design, each (k, 3)."""
+        return tuple(hull_corners(patch) for patch in self.design.patches)
+
     @property
     def degrees(self) -> FloatArray:
         """Recorded fold angles in degrees, shape (n,)."""
@@ -55,9 +61,10 @@ class Sweep:
         """Position of the closed card among the angles (the least angle that was reached)."""
         return int(np.argmin(self.theta))
 
-    def moved(self, patch: str, points: FloatArray) -> FloatArray:
-        """Points (k, 3) of a patch in the open pose, at each angle, shape (n, k, 3)."""
-        return transform(self.poses[:, self.index[patch]], points)
+    def moved(self, patch: str, count: int | None = None) -> FloatArray:
+        """Hull corners of a patch at the first `count` angles (at all), shape (n, k, 3)."""
+        place = self.index[patch]
+        return transform(self.poses[:count, place], self.hulls[place])
 
 
 def fold(rig: Rig, count: int, pacing: Pacing) -> Sweep:

@@ -32,8 +32,8 @@ def _poses(sweep: Sweep, theory: Theory, settings: Settings) -> Measure | None:
     inside = np.flatnonzero((sweep.degrees > low - 1e-6) & (sweep.degrees < high + 1e-6))
     worst = (-1.0, "")
     for name, poses in theory.poses(sweep.theta[inside]).items():
-        points = sweep.design.patch_by_id[name].points
-        away = np.linalg.norm(sweep.moved(name, points)[inside] - transform(poses, points), axis=-1).max(axis=1)
+        stated = transform(poses, sweep.hulls[sweep.index[name]])
+        away = np.linalg.norm(sweep.moved(name)[inside] - stated, axis=-1).max(axis=1)
         at = int(away.argmax())
         worst = max(worst, (float(away[at]), f"{name} at {sweep.degrees[inside[at]]:.4g} deg"))
     return None if worst[0] < 0 else Measure("distance from closed form", worst[0], settings.pose, where=worst[1])
