@@ -15,7 +15,7 @@ from popsim.layout.sheet import Area, Line, Mark, Picture, Role, Sheet, Text
 
 if TYPE_CHECKING:
     from ezdxf.document import Drawing
-    from ezdxf.layouts import Modelspace
+    from ezdxf.layouts.layout import Modelspace
 
 MILLIMETRES = 4
 """$INSUNITS."""
@@ -32,9 +32,9 @@ def write_dxf(job: Job, path: Path) -> tuple[Path, ...]:
 
 
 def _document(sheet: Sheet, style: Style) -> "Drawing":
-    import ezdxf
+    from ezdxf.filemanagement import new
 
-    document = ezdxf.new("R2010")
+    document = new("R2010")
     document.header["$INSUNITS"] = MILLIMETRES
     document.header["$MEASUREMENT"] = 1
     document.header["$EXTMIN"], document.header["$EXTMAX"] = (0, 0, 0), (sheet.width, sheet.height, 0)
@@ -102,11 +102,11 @@ def _line_weight(width: float) -> int:
 
 def _save(document: "Drawing", path: Path) -> None:
     """Save with fixed dates and ids, so that the same sheet gives the same bytes."""
-    import ezdxf
+    from ezdxf._options import options
 
-    before = ezdxf.options.write_fixed_meta_data_for_testing
-    ezdxf.options.write_fixed_meta_data_for_testing = True
+    before = options.write_fixed_meta_data_for_testing
+    options.write_fixed_meta_data_for_testing = True
     try:
         document.saveas(path)
     finally:
-        ezdxf.options.write_fixed_meta_data_for_testing = before
+        options.write_fixed_meta_data_for_testing = before

@@ -1,11 +1,13 @@
 """Nesting pieces on sheets: first fit on a raster, all places of a sheet tried at once by convolution.
 
-Pieces go largest first. For each the sheets are searched in order, and on a sheet the lowest, then leftmost place
-of all its turns. The raster covers every piece grown by half the gap and half a cell, so what is free on the
+Pieces go largest first, by several measures of which the best result is kept. For each the sheets are searched in
+order, and on a sheet the lowest, then leftmost place of all its turns. The raster covers every piece grown by half the gap and half a cell, so what is free on the
 raster is free on paper; shapely has the last word.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cached_property
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -24,6 +26,13 @@ CELL = 1.0
 SQUARE = 1e-3
 """Radians; a smallest rectangle that is turned by less is upright."""
 
+MEASURES: tuple[Callable[["Polygon"], float], ...] = (
+    lambda shape: float(shape.area),
+    lambda shape: float(shape.envelope.area),
+    lambda shape: float(shape.convex_hull.area),
+)
+"""Orders that are tried: largest first, by these."""
+
 Spectrum = npt.NDArray[np.complex128]
 
 
@@ -36,10 +45,24 @@ class Place(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class _Turned:
-    """A shape at one angle: the motion that brings its grown raster to the origin, and the raster (rows are y)."""
+    """A shape at one angle.
+
+    `motion` brings it to where its `mask` (rows are y) at row and column 0 means; `size` is that of the sheets.
+    """
 
     motion: FloatArray
     mask: BoolArray
+    size: tuple[int, int]
+
+    @cached_property
+    def cells(self) -> int:
+        """Number of cells covered."""
+        return int(self.mask.sum())
+
+    @cached_property
+    def spectrum(self) -> Spectrum:
+        """Spectrum of the mask on a sheet."""
+        return _spectrum(self.mask, self.size)
 
 
 def nest(
@@ -65,16 +88,29 @@ def nest(
     """
     slack = _growth(gap)  # grown shapes may reach over the area's rim
     size = (int((room[1] + 2 * slack) // CELL), int((room[0] + 2 * slack) // CELL))
-    sheets: list[_Sheet] = []
-    places: dict[int, Place] = {}
-    for index in sorted(range(len(shapes)), key=lambda k: (-shapes[k].area, k)):
-        turns = [_turned(shapes[index], angle, gap, size) for angle in _angles(shapes[index], room, grain)]
-        if not turns:
+    turns = [[_turned(shape, angle, gap, size) for angle in _angles(shape, room, grain)] for shape in shapes]
+    for index, own in enumerate(turns):
+        if not own:
             raise _too_large(shapes[index], names[index], room)
-        places[index] = _put(turns, sheets, size, slack)
-    found = [places[k] for k in range(len(shapes))]
+    orders = {tuple(sorted(range(len(shapes)), key=lambda k: (-measure(shapes[k]), k))) for measure in MEASURES}
+    found = min((_fill(turns, order, size) for order in sorted(orders)), key=lambda places: _waste(places, shapes))
     _judge(shapes, names, found, room, gap)
     return found
+
+
+def _fill(turns: list[list[_Turned]], order: tuple[int, ...], size: tuple[int, int]) -> list[Place]:
+    """First fit of all shapes in the given order."""
+    sheets: list[_Sheet] = []
+    places = {index: _put(turns[index], sheets, size) for index in order}
+    return [places[index] for index in range(len(turns))]
+
+
+def _waste(places: list[Place], shapes: list["Polygon"]) -> tuple[float, ...]:
+    """Less is better: number of sheets, then how empty the emptiest is, the last apart."""
+    filled = np.zeros(max((place.sheet for place in places), default=-1) + 1)
+    for place, shape in zip(places, shapes, strict=True):
+        filled[place.sheet] += shape.area
+    return len(filled), -float(filled[:-1].min(initial=np.inf)), -float((filled**2).sum())
 
 
 def _growth(gap: float) -> float:
@@ -89,7 +125,7 @@ class _Sheet:
         self.taken: BoolArray = np.zeros(size, dtype=bool)
         self.spectrum: Spectrum | None = None
 
-    def lowest(self, turned: "_Turned", spectrum: Spectrum) -> tuple[int, int] | None:
+    def lowest(self, turned: _Turned) -> tuple[int, int] | None:
         """Row and column of the lowest, then leftmost place where the raster of `turned` hits nothing."""
         from scipy import fft
 
@@ -98,7 +134,9 @@ class _Sheet:
             return 0, 0
         if self.spectrum is None:
             self.spectrum = _spectrum(self.taken, self.taken.shape)
-        hits = fft.irfft2(self.spectrum * spectrum.conj(), s=_padded(self.taken.shape))[: rows + 1, : columns + 1]
+        hits = fft.irfft2(self.spectrum * turned.spectrum.conj(), s=_padded(self.taken.shape))[
+            : rows + 1, : columns + 1
+        ]
         free = np.argwhere(hits < 0.5)
         return (int(free[0][0]), int(free[0][1])) if len(free) else None
 
@@ -120,21 +158,19 @@ def _spectrum(mask: BoolArray, size: tuple[int, ...]) -> Spectrum:
     return np.asarray(fft.rfft2(mask.astype(np.float64), s=_padded(size)))
 
 
-def _put(turns: list[_Turned], sheets: list[_Sheet], size: tuple[int, int], slack: float) -> Place:
-    spectra = [_spectrum(turned.mask, size) for turned in turns]
-    least = min(int(turned.mask.sum()) for turned in turns)
+def _put(turns: list[_Turned], sheets: list[_Sheet], size: tuple[int, int]) -> Place:
+    least = min(turned.cells for turned in turns)
     for number in range(len(sheets) + 1):
         if number == len(sheets):
             sheets.append(_Sheet(size))
         sheet = sheets[number]
         if sheet.taken.size - int(sheet.taken.sum()) < least:
             continue
-        tries = (sheet.lowest(turned, spectrum) for turned, spectrum in zip(turns, spectra, strict=True))
-        spots = [(spot, k) for k, spot in enumerate(tries) if spot is not None]
+        spots = [(spot, k) for k, turned in enumerate(turns) if (spot := sheet.lowest(turned)) is not None]
         if spots:
             (row, column), k = min(spots)
             sheet.take(row, column, turns[k].mask)
-            return Place(number, flat_motion(0.0, (column * CELL - slack, row * CELL - slack)) @ turns[k].motion)
+            return Place(number, flat_motion(0.0, (column * CELL, row * CELL)) @ turns[k].motion)
     raise AssertionError("a shape that goes on an empty sheet was not placed on one")
 
 
@@ -162,7 +198,7 @@ def _turned(shape: "Polygon", angle: float, gap: float, size: tuple[int, int]) -
     # mitred corners hold the round ones, whose polygons would fall short of the full distance
     grown = moved.buffer(growth, join_style="mitre", mitre_limit=1.1)
     mask = _raster(grown, low, (min(int(rows), size[0]), min(int(columns), size[1])))
-    return _Turned(flat_motion(0.0, -low) @ motion, mask)
+    return _Turned(flat_motion(0.0, -low - growth) @ motion, mask, size)
 
 
 def _raster(shape: "Polygon", low: FloatArray, size: tuple[int, int]) -> BoolArray:
