@@ -127,7 +127,9 @@ def _corners(rig: Rig) -> list[FloatArray]:
 
 
 def _frames(sweep: Sweep, degrees: tuple[int, ...]) -> list[int]:
-    """Recorded closing angles nearest to `degrees`, each once."""
-    closing = sweep.theta[: sweep.closed + 1]
-    inside = [np.radians(angle) for angle in degrees if closing.min() < np.radians(angle) < OPEN]
-    return sorted({int(np.abs(closing - angle).argmin()) for angle in inside})
+    """Recorded closing angles nearest to `degrees`, each once; never the open or the closed card."""
+    theta = sweep.theta[: sweep.closed + 1]
+    inside = np.flatnonzero((theta > 1e-9) & (theta < OPEN - 1e-9))
+    if not len(inside):
+        return []
+    return sorted({int(inside[np.abs(theta[inside] - np.radians(angle)).argmin()]) for angle in degrees})

@@ -7,8 +7,9 @@ both verdicts.
 
 **Who decides.** The simulation. A design passes if the simulation finds all four aspects in order and agrees with
 the closed forms. Where the theory passes an aspect and the simulation refuses it, that is a *hole*: always an
-error. Where the theory refuses and the simulation passes, that is *slack*: the conditions are only sufficient, so
-the design passes and the report says so. Without mechanisms there is no theory, and the simulation alone decides.
+error (but what the theory says of the other aspects builds on mechanisms that fold). Where the theory refuses and
+the simulation passes, that is *slack*: the conditions are only sufficient, so the design passes and the report
+says so. Without mechanisms there is no theory, and the simulation alone decides.
 
 **What is not judged.** Where loops do not close, poses mean nothing, and nothing else is judged. Where something
 moves freely, where it ends up is chance: only loops and stability are judged. Either way the design is refused.

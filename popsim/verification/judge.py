@@ -70,10 +70,11 @@ def _stable(evidence: Evidence, settings: Settings) -> tuple[Measure, ...]:
 
 
 def _clear(evidence: Evidence, settings: Settings) -> tuple[Measure, ...]:
+    limit = settings.crossing + evidence.gaps.largest
     if not evidence.contacts:
-        return (Measure("crossing", 0.0, settings.crossing),)
+        return (Measure("crossing", 0.0, limit),)
     deepest = evidence.contacts[0]
-    return (Measure("crossing", deepest.depth, settings.crossing, where=describe(deepest)),)
+    return (Measure("crossing", deepest.depth, limit, where=describe(deepest)),)
 
 
 def _contained(evidence: Evidence, settings: Settings) -> tuple[Measure, ...]:

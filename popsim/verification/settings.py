@@ -21,7 +21,8 @@ class Settings:
         Distance of any corner from its first place after closing and opening; other branches are off by
         millimetres.
     crossing:
-        How far one patch may reach through another: touching is no crossing.
+        How far one patch may reach through another beyond the loop gap, by which all is displaced: touching is no
+        crossing.
     protruding:
         How far anything may stick out of the closed card: half the usual thickness of the paper.
     pose:

@@ -58,12 +58,15 @@ class Finding:
         What the simulation found; empty where it could not be judged.
     unjudged:
         Why not, or "".
+    founded:
+        Whether the design has what the theory of this aspect builds on: mechanisms that fold.
     """
 
     aspect: Aspect
     conditions: tuple[Condition, ...] | None
     measures: tuple[Measure, ...]
     unjudged: str = ""
+    founded: bool = True
 
     @property
     def theory(self) -> bool | None:
@@ -80,7 +83,9 @@ class Finding:
         """A hole in the theory (or in the code), slack in its conditions, or None."""
         if self.theory is None or self.simulation is None or self.theory == self.simulation:
             return None
-        return "hole" if self.theory else "slack"
+        if not self.theory:
+            return "slack"
+        return "hole" if self.founded else None
 
     @property
     def tightest(self) -> Condition | None:

@@ -40,7 +40,8 @@ def _finding(aspect: Aspect, theory: Theory, evidence: Evidence, settings: Setti
     if theory.design.mechanisms:
         conditions = tuple(condition for condition in theory.conditions if condition.aspect == aspect)
     measures, unjudged = judge(evidence, settings, aspect)
-    return Finding(aspect, conditions, measures, unjudged)
+    folds = all(condition.holds for condition in theory.conditions if condition.aspect == "foldable")
+    return Finding(aspect, conditions, measures, unjudged, founded=aspect == "foldable" or folds)
 
 
 def _notes(design: Design, evidence: Evidence, settings: Settings) -> tuple[str, ...]:
