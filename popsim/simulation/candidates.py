@@ -29,10 +29,13 @@ def candidate_pairs(sweep: Sweep, frames: range, least: float) -> list[Candidate
     low = np.minimum.reduceat(corners, starts, axis=1)
     high = np.maximum.reduceat(corners, starts, axis=1)
     through = _Straddling(sweep, frames, corners, starts, least)
-    apart = touching(sweep.design)
+    joined = touching(sweep.design)
+    least_low, most_high = low.min(axis=0), high.max(axis=0)
     found = []
     for first in range(len(starts)):
-        others = np.flatnonzero(~apart[first, first + 1 :]).astype(np.int64) + first + 1
+        around = (least_low <= most_high[first]) & (most_high >= least_low[first])
+        others = np.flatnonzero(around.all(axis=-1) & ~joined[first]).astype(np.int64)
+        others = others[others > first]
         near = _boxes_meet(low, high, first, others)
         others, near = others[near.any(axis=0)], near[:, near.any(axis=0)]
         if not len(others):

@@ -5,11 +5,12 @@ it, and together they do. Folds in the bisecting plane and the backbones in it m
 """
 
 from collections import defaultdict
+from collections.abc import Iterator
 
 import numpy as np
 
 from popsim.design import Hinge, Patch
-from popsim.geometry.arrays import FloatArray, IntArray
+from popsim.geometry.arrays import FloatArray
 from popsim.geometry.rigid import transform
 from popsim.simulation.contact import Contact, closing_frames, contact_of
 from popsim.simulation.neighbours import touching
@@ -28,40 +29,51 @@ def find_piercings(sweep: Sweep, tolerance: float, play: float) -> list[Contact]
     `play` is the largest loop gap in mm: poses are no more exact than that.
     """
     near = max(IN_PLANE, min(play, tolerance))
-    hinges = [hinge for hinge in sweep.design.hinges if hinge.kind != "central"]
-    if not hinges:
-        return []
-    count = closing_frames(sweep)
-    first = [sweep.index[hinge.patches[0]] for hinge in hinges]
-    axes = transform(sweep.poses[:count, first], np.array([hinge.points for hinge in hinges]))
-    boxes = axes.min(axis=2), axes.max(axis=2)
-    apart = touching(sweep.design)
+    folds = _Folds(sweep)
     contacts = []
-    for place, patch in enumerate(sweep.design.patches):
-        frames, folds = _inside(sweep, patch, axes, boxes, near)
+    for patch in sweep.design.patches if folds.hinges else ():
         depths: dict[int, dict[int, float]] = defaultdict(dict)
-        for frame, fold in zip(frames.tolist(), folds.tolist(), strict=True):
-            if not apart[place, first[fold]]:
-                pose = sweep.poses[frame, place]
-                if _on_both_sides(sweep, hinges[fold], patch, frame, (near, tolerance)):
-                    depths[fold][frame] = _depth(patch, pose, axes[frame, fold])
+        for frame, fold in folds.in_plane_of(patch, near):
+            if _on_both_sides(sweep, folds.hinges[fold], patch, frame, (near, tolerance)):
+                pose = sweep.poses[frame, sweep.index[patch.id]]
+                depths[fold][frame] = _depth(patch, pose, folds.axes[frame, fold])
         for fold, found in sorted(depths.items()):
-            contact = contact_of(sweep, (hinges[fold].patches[0], patch.id), found, tolerance)
+            contact = contact_of(sweep, (folds.hinges[fold].patches[0], patch.id), found, tolerance)
             contacts += [] if contact is None else [contact]
     return contacts
 
 
-def _inside(
-    sweep: Sweep, patch: Patch, axes: FloatArray, boxes: tuple[FloatArray, FloatArray], near: float
-) -> tuple[IntArray, IntArray]:
-    """Frames and folds at which both ends of the fold lie in the plane of `patch`, and boxes meet."""
-    corners = sweep.moved(patch.id, len(axes))
-    low, high = corners.min(axis=1) - near, corners.max(axis=1) + near
-    frames, folds = np.nonzero(((boxes[0] <= high[:, None]) & (boxes[1] >= low[:, None])).all(axis=-1))
-    normals = sweep.poses[: len(axes), sweep.index[patch.id], :3, :3] @ patch.plane.normal
-    away = axes[frames, folds] - corners[frames, :1]
-    flat = (np.abs(away @ normals[frames, :, None])[..., 0] < near).all(axis=-1)
-    return frames[flat].astype(np.int64), folds[flat].astype(np.int64)
+class _Folds:
+    """All hinges but the central one, with their axes and boxes at each angle."""
+
+    def __init__(self, sweep: Sweep) -> None:
+        self._sweep = sweep
+        self._count = closing_frames(sweep)
+        self.hinges = [hinge for hinge in sweep.design.hinges if hinge.kind != "central"]
+        self._first = [sweep.index[hinge.patches[0]] for hinge in self.hinges]
+        points = np.array([hinge.points for hinge in self.hinges]).reshape(-1, 2, 3)
+        self.axes = transform(sweep.poses[: self._count, self._first], points)
+        self._low, self._high = self.axes.min(axis=2), self.axes.max(axis=2)
+        self._swept = self._low.min(axis=0, initial=np.inf), self._high.max(axis=0, initial=-np.inf)
+        self._joined = touching(sweep.design)
+
+    def in_plane_of(self, patch: Patch, near: float) -> Iterator[tuple[int, int]]:
+        """Angles and folds at which both ends of the fold lie in the plane of `patch`, and boxes meet.
+
+        Folds of patches that share a hinge line with `patch` are left out: they meet its plane there alone.
+        """
+        place = self._sweep.index[patch.id]
+        corners = self._sweep.moved(patch.id, self._count)
+        low, high = corners.min(axis=1) - near, corners.max(axis=1) + near
+        around = (self._swept[0] <= high.max(axis=0)) & (self._swept[1] >= low.min(axis=0))
+        picked = np.flatnonzero(around.all(axis=-1) & ~self._joined[place, self._first])
+        meet = (self._low[:, picked] <= high[:, None]) & (self._high[:, picked] >= low[:, None])
+        frames, columns = np.nonzero(meet.all(axis=-1))
+        folds = picked[columns]
+        normals = self._sweep.poses[: self._count, place, :3, :3] @ patch.plane.normal
+        away = self.axes[frames, folds] - corners[frames, :1]
+        flat = (np.abs(away @ normals[frames, :, None])[..., 0] < near).all(axis=-1)
+        yield from zip(frames[flat].tolist(), folds[flat].tolist(), strict=True)
 
 
 def _on_both_sides(sweep: Sweep, fold: Hinge, patch: Patch, frame: int, limits: tuple[float, float]) -> bool:
