@@ -6,7 +6,7 @@ flaps that land on a printed side make one group *stand* on another, in the end 
 - what is shut in when a group is finished is glued before the joints that close the group;
 - a group is finished before it is stood on anything;
 - what stands on a group is glued to it while its underside is open: before the group itself is stood on something;
-- the card is joined first, flat;
+- the card is joined first, flat; what was divided is joined before all else;
 - of two groups on one base, of which one stands on the other too, the lower is glued to the base first;
 - of the flaps that stand one group on another, those of shut-in parts come first.
 """
@@ -124,6 +124,8 @@ class Precedence:
         card = self._card_group
         for joints in inner.values():
             yield from self._hidden_first(joints)
+            seams = [name for name in joints if self.joints[name].hinge is None]
+            yield from product(seams, [name for name in joints if name not in seams])
         for group, joints in own.items():
             yield from product(inner.get(group, []), joints)
             yield from product(onto.get(group, []), joints)

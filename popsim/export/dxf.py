@@ -3,6 +3,8 @@
 Only lines and texts: pictures and filled areas have no place in cutting software. Glue areas are outlined.
 """
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -26,7 +28,8 @@ def write_dxf(job: Job, path: Path) -> tuple[Path, ...]:
     written = []
     for number, sheet in enumerate(job.sheets, 1):
         own = numbered(path, number)
-        _save(_document(sheet, job.style), own)
+        with _fixed_dates():
+            _document(sheet, job.style).saveas(own)
         written.append(own)
     return tuple(written)
 
@@ -100,13 +103,14 @@ def _line_weight(width: float) -> int:
     return min((9, 13, 15, 18, 20, 25, 30, 35, 40, 50), key=lambda weight: abs(weight - 100 * width))
 
 
-def _save(document: "Drawing", path: Path) -> None:
-    """Save with fixed dates and ids, so that the same sheet gives the same bytes."""
+@contextmanager
+def _fixed_dates() -> Iterator[None]:
+    """Documents made and saved meanwhile carry a fixed date and id: the same sheet gives the same bytes."""
     from ezdxf._options import options
 
     before = options.write_fixed_meta_data_for_testing
     options.write_fixed_meta_data_for_testing = True
     try:
-        document.saveas(path)
+        yield
     finally:
         options.write_fixed_meta_data_for_testing = before

@@ -19,8 +19,8 @@ from popsim.layout import Crease, Layout, Piece
 if TYPE_CHECKING:
     from shapely.geometry import Polygon
 
-SAME = 1e-3
-"""mm; corners this close are one vertex."""
+SAME = 0.01
+"""mm; corners this close are one vertex, and lines this close meet."""
 
 DECIMALS = 6
 
@@ -120,9 +120,9 @@ def _without_holes(face: "Polygon") -> list[FloatArray]:
 
 def _assignment(middle: Any, border: Any, creases: list[tuple[Any, str]]) -> str:
     for line, assignment in creases:
-        if line.distance(middle) < 5 * SAME:
+        if line.distance(middle) < 2 * SAME:
             return assignment
-    return "B" if border.distance(middle) < 5 * SAME else "J"
+    return "B" if border.distance(middle) < 2 * SAME else "J"
 
 
 def _open_pose(layout: Layout) -> dict[str, Any]:

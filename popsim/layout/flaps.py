@@ -21,6 +21,7 @@ from popsim.layout.nets import Net
 from popsim.layout.parts import Part
 from popsim.layout.settings import LayoutSettings
 from popsim.layout.sites import Face, Site, sites
+from popsim.layout.teeth import share_edges
 
 if TYPE_CHECKING:
     from shapely.geometry import Polygon
@@ -93,11 +94,13 @@ def plan_flaps(
 ) -> tuple[tuple[Flap, ...], tuple[Joint, ...]]:
     """Return the flaps of all joints that are no folds of `nets`, in their order, and the joints left over.
 
-    A joint is left over where no flap of use fits on any side.
+    Stretches of joints that must share an edge are divided among them. A joint is left over where no flap of use
+    fits on any side.
     """
+    joints = share_edges(joints, _Bench(parts, joints, nets).carriers())
     depths = dict.fromkeys(parts, settings.flap_depth)
     for _ in range(ROUNDS):
-        flaps, left = _plan(_Bench(parts, joints, nets), joints, nets, depths, settings)
+        flaps, left = _plan(_Bench(parts, joints, nets), depths, settings)
         if not left:
             break
         # whatever lands where room ran out gets half as deep, to leave some for all
@@ -106,19 +109,11 @@ def plan_flaps(
 
 
 def _plan(
-    bench: "_Bench",
-    joints: tuple[Joint, ...],
-    nets: tuple[Net, ...],
-    depths: Mapping[str, float],
-    settings: LayoutSettings,
+    bench: "_Bench", depths: Mapping[str, float], settings: LayoutSettings
 ) -> tuple[tuple[Flap, ...], tuple[Joint, ...]]:
     """One round of planning with the given depth of flaps by the part that they land on."""
-    folded = {joint.id for net in nets for joint in net.folds}
     tasks = [
-        Task(joint, k, tuple(bench.sites(joint, k)))
-        for joint in joints
-        if joint.id not in folded
-        for k in range(len(joint.stretches))
+        Task(joint, k, tuple(bench.sites(joint, k))) for joint in bench.open for k in range(len(joint.stretches))
     ]
     found: dict[tuple[str, int], Flap] = {}
     for task in sorted(tasks, key=lambda task: task.freedom):
@@ -136,6 +131,8 @@ class _Bench:
 
     def __init__(self, parts: Mapping[str, Part], joints: tuple[Joint, ...], nets: tuple[Net, ...]) -> None:
         self.parts = parts
+        folded = {joint.id for net in nets for joint in net.folds}
+        self.open = tuple(joint for joint in joints if joint.id not in folded)
         self.net_of = {name: net for net in nets for name in net.motions}
         self.seen: dict[tuple[str, str], tuple[Contact, ...]] = {
             (joint.id, name): contacts(joint, parts[name]) for joint in joints for name in joint.parts
@@ -149,6 +146,13 @@ class _Bench:
         for joint in joints:
             for name in joint.parts:
                 self._stand(joint, name)
+
+    def carriers(self) -> dict[str, tuple[str, ...]]:
+        """The parts that can carry flaps of each joint that is no fold, by joint id."""
+        return {
+            joint.id: tuple(name for name in joint.parts if self._is_free(name, self.seen[joint.id, name][0]))
+            for joint in self.open
+        }
 
     def sites(self, joint: Joint, stretch: int) -> list[Site]:
         first, second = joint.parts

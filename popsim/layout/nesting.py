@@ -1,8 +1,8 @@
 """Nesting pieces on sheets: first fit on a raster, all places of a sheet tried at once by convolution.
 
 Pieces go largest first, by several measures of which the best result is kept. For each the sheets are searched in
-order, and on a sheet the lowest, then leftmost place of all its turns. The raster covers every piece grown by half the gap and half a cell, so what is free on the
-raster is free on paper; shapely has the last word.
+order, and on a sheet the lowest, then leftmost place of all its turns. The raster covers every piece grown by half
+the gap and half a cell, so what is free on the raster is free on paper; shapely has the last word.
 """
 
 from collections.abc import Callable

@@ -1,11 +1,12 @@
 """Dividing patches that exceed the sheet, along straight lines, for a flap under the seam to join again."""
 
 from math import ceil, inf
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from popsim.design import Design
+from popsim.design.rules import TOUCHING
 from popsim.geometry.arrays import FloatArray
 from popsim.layout.errors import LayoutError
 from popsim.layout.paper import Paper
@@ -21,8 +22,18 @@ MOST_PARTS = 16
 CANDIDATES = 25
 """Places tried for each seam."""
 
+ALIGNED = 500.0
+"""mm of seam that it is worth to divide a patch where its neighbour is divided: flaps between them stay whole."""
+
 CROSSING = 20.0
 """mm of seam that crossing one hinge is worth."""
+
+
+class Hints(NamedTuple):
+    """What seams heed, flat: hinge lines (2, 2) that they avoid, points (2,) where neighbours are divided."""
+
+    lines: list[FloatArray]
+    wished: list[FloatArray]
 
 
 def divide(design: Design, paper: Paper, settings: LayoutSettings) -> tuple[Part, ...]:
@@ -34,6 +45,7 @@ def divide(design: Design, paper: Paper, settings: LayoutSettings) -> tuple[Part
         A patch exceeds the sheet and may not be divided, or only into too many parts.
     """
     parts: list[Part] = []
+    marks: list[FloatArray] = []
     room = settings.area(paper)
     for patch in design.patches:
         part = whole(patch)
@@ -41,10 +53,12 @@ def divide(design: Design, paper: Paper, settings: LayoutSettings) -> tuple[Part
             parts.append(part)
             continue
         lines = [part.flat(hinge.points) for hinge in design.hinges_by_patch[patch.id]]
-        polygons = _cut(part.polygon, room, settings.flap_depth + settings.seam_depth, lines)
+        wished = [part.flat(mark) for mark in marks if abs(float(part.plane.distance(mark))) < TOUCHING]
+        polygons = _cut(part.polygon, room, settings.flap_depth + settings.seam_depth, Hints(lines, wished))
         if not settings.split or len(polygons) > MOST_PARTS:
             raise _too_large(part, paper, settings, len(polygons))
         parts += [Part(f"{part.id}/{k}", patch, part.plane, p) for k, p in enumerate(polygons, 1)]
+        marks += [part.plane.lift(np.array(corner)) for p in polygons for corner in p.exterior.coords[:-1]]
     return tuple(parts)
 
 
@@ -76,9 +90,7 @@ def _too_large(part: Part, paper: Paper, settings: LayoutSettings, count: int) -
     )
 
 
-def _cut(
-    polygon: "Polygon", room: tuple[float, float], allowance: float, lines: list[FloatArray]
-) -> list["Polygon"]:
+def _cut(polygon: "Polygon", room: tuple[float, float], allowance: float, hints: Hints) -> list["Polygon"]:
     """Divide until every part fits; seams run along the flat axes."""
     if fits(polygon, room, allowance):
         return [polygon]
@@ -91,11 +103,17 @@ def _cut(
     counts = np.ceil(size / limits)
     axis = int(counts[1] > counts[0])
     rest = (counts[axis] - 1) * limits[axis]
-    places = low[axis] + np.linspace(max(size[axis] - rest, 0), min(limits[axis], size[axis]), CANDIDATES)
+    least, most = low[axis] + max(size[axis] - rest, 0), low[axis] + min(limits[axis], size[axis])
+    wished = [float(spot[axis]) for spot in hints.wished if least < spot[axis] < most]
+    places = [*np.linspace(least, most, CANDIDATES), *wished]
     middle = low[axis] + size[axis] / counts[axis]
-    place = min(places, key=lambda p: (_cost(polygon, axis, p, lines) + 0.2 * abs(p - middle), p))
-    halves = _halves(polygon, axis, float(place))
-    return [piece for half in halves for piece in _cut(half, room, allowance, lines)]
+
+    def cost(place: float) -> tuple[float, float]:
+        bonus = ALIGNED if min((abs(place - spot) for spot in wished), default=1.0) < TOUCHING else 0.0
+        return _cost(polygon, axis, place, hints.lines) + 0.2 * abs(place - middle) - bonus, place
+
+    halves = _halves(polygon, axis, float(min(places, key=cost)))
+    return [piece for half in halves for piece in _cut(half, room, allowance, hints)]
 
 
 def _cost(polygon: "Polygon", axis: int, place: float, lines: list[FloatArray]) -> float:

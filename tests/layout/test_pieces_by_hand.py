@@ -127,3 +127,19 @@ def test_holes_are_cut_out() -> None:
     layout = lay_out(changed(ring(), "W0", holes=(hole,)))
     strip = next(piece for piece in layout.pieces if "W0" in piece.motions)
     assert len(strip.outline.interiors) == 1
+
+
+def test_flaps_of_two_joints_on_one_edge_take_turns() -> None:
+    # a wall on the central fold, glued to both pages, whose foot alone can carry flaps
+    spine = Patch(id="C", outline=((-40, 0, 0), (40, 0, 0), (40, 0, 30), (-40, 0, 30)))
+    feet = [
+        Hinge(id=f"c{page}", patches=(page, "C"), axis=((-40, 0, 0), (40, 0, 0)), kind="glue")
+        for page in ("G", "B")
+    ]
+    layout = lay_out(design([spine], feet))
+    flaps = [flap for flap in layout.flaps if flap.carrier == "C"]
+    assert [(flap.joint.id, flap.target) for flap in flaps] == [("cG", "G")] * 2 + [("cB", "B")] * 2
+    along = sorted((sorted(flap.line[:, 0]), flap.target) for flap in flaps)
+    assert [target for _, target in along] == ["G", "B", "G", "B"]
+    lengths = [line[1] - line[0] for line, _ in along]
+    assert lengths == pytest.approx([19.0] * 4)

@@ -1,0 +1,88 @@
+"""Properties that every format keeps."""
+
+import json
+from pathlib import Path
+
+import ezdxf
+import pytest
+from conftest import Printed
+
+from popsim.errors import InputError, OutputError
+from popsim.export import FORMATS, STYLES, export
+
+
+@pytest.mark.parametrize("name", sorted(FORMATS))
+def test_same_layout_same_bytes(name: str, printed: Printed, tmp_path: Path) -> None:
+    made = []
+    for folder in ("one", "other"):
+        files = export(
+            printed.layout,
+            tmp_path / folder / f"s.{name}",
+            name,
+            texture_root=printed.folder,
+            plan=printed.plan,
+            footer="popsim",
+        )
+        made.append([file.read_bytes() for file in files])
+    assert made[0] == made[1]
+
+
+@pytest.mark.parametrize("name", sorted(FORMATS))
+def test_nothing_is_overwritten_without_leave(name: str, printed: Printed, tmp_path: Path) -> None:
+    path = tmp_path / f"s.{name}"
+    files = export(printed.layout, path, name, texture_root=printed.folder)
+    before = [file.read_bytes() for file in files]
+    with pytest.raises(OutputError, match="exists"):
+        export(printed.layout, path, name, texture_root=printed.folder, banner="other")
+    assert [file.read_bytes() for file in files] == before
+    export(printed.layout, path, name, texture_root=printed.folder, force=True)
+
+
+@pytest.mark.parametrize("style", sorted(STYLES))
+def test_styles_never_rely_on_colour_alone(style: str) -> None:
+    looks = {
+        (stroke.dashes) for role, stroke in STYLES[style].strokes.items() if role.value in ("mountain", "valley")
+    }
+    assert len(looks) == 2
+    assert () not in looks
+
+
+def test_unknown_names_are_refused_with_the_known(printed: Printed, tmp_path: Path) -> None:
+    with pytest.raises(InputError, match="pdf"):
+        export(printed.layout, tmp_path / "s.xyz", "xyz", texture_root=printed.folder)
+    with pytest.raises(InputError, match="origami"):
+        export(printed.layout, tmp_path / "s.pdf", "pdf", texture_root=printed.folder, style="baroque")
+
+
+def test_a_missing_picture_is_named_and_nothing_is_left(printed: Printed, tmp_path: Path) -> None:
+    with pytest.raises(InputError, match=r"M1\.L|texture"):
+        export(printed.layout, tmp_path / "s.pdf", "pdf", texture_root=tmp_path / "nowhere")
+    assert not list(tmp_path.iterdir())
+
+
+def test_dxf_passes_the_audit_in_millimetres(printed: Printed, tmp_path: Path) -> None:
+    for file in export(printed.layout, tmp_path / "s.dxf", "dxf", texture_root=printed.folder):
+        document = ezdxf.readfile(file)
+        audit = document.audit()
+        assert not audit.errors
+        assert not audit.fixes
+        assert document.header["$INSUNITS"] == 4
+        cuts = document.modelspace().query('LWPOLYLINE[layer=="cut"]')
+        assert all(line.closed or len(line) >= 2 for line in cuts)
+
+
+def test_fold_has_faces_and_assignments(printed: Printed, tmp_path: Path) -> None:
+    (file,) = export(printed.layout, tmp_path / "s.fold", "fold", texture_root=printed.folder)
+    data = json.loads(file.read_text())
+    assert data["file_spec"] == 1.2
+    for frame in (data, *data["file_frames"]):
+        count = len(frame["vertices_coords"])
+        assert len(frame["edges_vertices"]) == len(frame["edges_assignment"])
+        assert {v for face in frame["faces_vertices"] for v in face} == set(range(count))
+        edges = {frozenset(edge) for edge in frame["edges_vertices"]}
+        for face in frame["faces_vertices"]:
+            assert all(frozenset(pair) in edges for pair in zip(face, face[1:] + face[:1], strict=True))
+    folds = [fold for piece in printed.layout.pieces for fold in piece.folds]
+    assert sum(mark in "MV" for mark in data["edges_assignment"]) >= len(folds)
+    assert len(data["faces_vertices"]) == len(printed.design.patches) + len(printed.layout.flaps)
+    assert len(data["file_frames"][0]["popsim:glue"]) == len(printed.layout.flaps)
