@@ -5,6 +5,7 @@ from itertools import pairwise
 from typing import TYPE_CHECKING
 
 import numpy as np
+import numpy.typing as npt
 
 from popsim.design import Patch
 from popsim.geometry.arrays import FloatArray
@@ -71,7 +72,8 @@ def held_stretches(axis: FloatArray, first: Patch, second: Patch) -> list[FloatA
     line = HingeLine(axis)
     least = min(SHORTEST, line.length * 0.9)
     common = _common(_covered(line, first), _covered(line, second))
-    snapped = [(_snapped(low, line.length), _snapped(high, line.length)) for low, high in common]
+    ends = (0.0, line.length)
+    snapped = [(_snapped(low, ends), _snapped(high, ends)) for low, high in common]
     return [np.array([line.at(low), line.at(high)]) for low, high in snapped if high - low >= least]
 
 
@@ -100,8 +102,19 @@ def _covered(line: HingeLine, patch: Patch) -> list[Interval]:
     low, _, high, _ = polygon.bounds
     run = LineString([(low - 1, 0.0), (high + 1, 0.0)])
     pieces = get_parts(intersection(polygon.buffer(SLACK, join_style="mitre"), run))
-    spans = [(piece.bounds[0] + SLACK, piece.bounds[2] - SLACK) for piece in pieces if not piece.is_empty]
+    corners = _corners_on_line(polygon)
+    spans = [
+        (_snapped(piece.bounds[0] + SLACK, corners), _snapped(piece.bounds[2] - SLACK, corners))
+        for piece in pieces
+        if not piece.is_empty
+    ]
     return _joined(sorted(span for span in spans if span[1] > span[0]))
+
+
+def _corners_on_line(polygon: "Polygon") -> FloatArray:
+    """Where corners of the polygon lie on the line: exact ends of what it covers, shape (n,)."""
+    points = np.concatenate([np.array(ring.coords) for ring in (polygon.exterior, *polygon.interiors)])
+    return np.asarray(points[np.abs(points[:, 1]) <= SLACK, 0])
 
 
 def _joined(spans: list[Interval]) -> list[Interval]:
@@ -115,9 +128,9 @@ def _common(first: list[Interval], second: list[Interval]) -> list[Interval]:
     return [span for span in both if span[0] < span[1]]
 
 
-def _snapped(along: float, length: float) -> float:
-    """The end of the axis where `along` is as good as there."""
-    for end in (0.0, length):
+def _snapped(along: float, ends: npt.ArrayLike) -> float:
+    """The one of `ends` that `along` is as good as at, or `along`."""
+    for end in np.asarray(ends, float):
         if abs(along - end) < 4 * SLACK:
-            return end
+            return float(end)
     return along

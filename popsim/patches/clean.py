@@ -19,6 +19,9 @@ SIMPLIFY = 0.6
 GRAIN = 1e-6
 """mm; coordinates of outlines are rounded to this."""
 
+STRAIGHT = 1e-3
+"""mm; a corner that is off the line between its neighbours by less is none."""
+
 ROUNDING = 0.02
 """mm; paper narrower than this is a rounding error."""
 
@@ -51,7 +54,7 @@ def area(shape: "BaseGeometry") -> "BaseGeometry":
 
     if shape.geom_type in ("Polygon", "MultiPolygon"):
         return shape
-    return MultiPolygon([part for part in get_parts(shape, False) if part.geom_type == "Polygon"])
+    return MultiPolygon([part for part in get_parts(shape) if part.geom_type == "Polygon"])
 
 
 def opened(shape: "BaseGeometry", width: float) -> "BaseGeometry":
@@ -79,6 +82,13 @@ def straightened(shape: "BaseGeometry", face: "Polygon", snap: float) -> "BaseGe
 def simplified(shape: "BaseGeometry", settings: PatchSettings) -> "BaseGeometry":
     """`shape` with fewer vertices, within the tolerance."""
     return shape.simplify(SIMPLIFY * settings.tolerance)
+
+
+def tidy(outline: "Polygon") -> "Polygon":
+    """`outline` counterclockwise, without corners that are none."""
+    from shapely.geometry.polygon import orient
+
+    return orient(outline.simplify(STRAIGHT))
 
 
 def polygons(shape: "BaseGeometry") -> list["Polygon"]:

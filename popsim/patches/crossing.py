@@ -1,12 +1,17 @@
 """Two patches that both reach beyond their common hinge would cut through each other."""
 
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import combinations
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from popsim.geometry.arrays import FloatArray
+from popsim.geometry.plane import line_distance
 from popsim.patches.clean import common, without
 from popsim.patches.hold import Run
+from popsim.patches.piece import Piece
 
 if TYPE_CHECKING:
     from shapely.geometry import Polygon
@@ -18,13 +23,49 @@ REACH = 1e4
 GROOVE = 0.3
 """mm beyond the line at which paper counts as reaching beyond it."""
 
+SAME_LINE = 1e-3
+"""mm; axes nearer than this are on one line."""
+
 TOUCH = 0.5
 """mm of line on which two patches may both reach beyond it."""
 
 
-def uncross(first: Run, second: Run) -> None:
-    """Cut the smaller of the two overhangs where the outlines of both pieces reach beyond their hinge line."""
-    if first.inward is None or second.inward is None or first.piece is second.piece:
+@dataclass(frozen=True, eq=False)
+class Meeting:
+    """Pieces that are hinged along an axis, shape (2, 3)."""
+
+    axis: FloatArray
+    pieces: list[Piece]
+
+    def runs(self) -> list[Run]:
+        """The axis on each of the pieces."""
+        return [Run.of(piece, self.axis) for piece in self.pieces]
+
+
+def uncross(meetings: Sequence[Meeting]) -> None:
+    """Cut the smaller of two overhangs where two pieces that end at one line both reach beyond it.
+
+    Pieces may share a line without a hinge between them: a side and the roof slope on the top that it carries.
+    """
+    for index, meeting in enumerate(meetings):
+        pieces = {id(piece): piece for piece in meeting.pieces}
+        for other in meetings[index + 1 :]:
+            if _on_one_line(meeting.axis, other.axis):
+                pieces |= {id(piece): piece for piece in other.pieces}
+        for first, second in combinations(pieces.values(), 2):
+            _uncross(Run.of(first, meeting.axis), Run.of(second, meeting.axis))
+
+
+def _on_one_line(first: FloatArray, second: FloatArray) -> bool:
+    """Whether two axes lie on one line and overlap."""
+    if line_distance(second, first).max() > SAME_LINE:
+        return False
+    along = (second - first[0]) @ (first[1] - first[0])
+    return bool(along.max() > 0 and along.min() < (first[1] - first[0]) @ (first[1] - first[0]))
+
+
+def _uncross(first: Run, second: Run) -> None:
+    if first.inward is None or second.inward is None:
         return
     overhangs = [_overhang(run) for run in (first, second)]
     shared = _along(first, overhangs[0]).intersection(_along(second, overhangs[1]))

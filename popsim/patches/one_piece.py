@@ -2,7 +2,7 @@
 
 from typing import TYPE_CHECKING
 
-from popsim.patches.clean import common, polygons, simplified, straightened, union
+from popsim.patches.clean import common, polygons, simplified, straightened, tidy, union
 from popsim.patches.piece import Piece
 from popsim.patches.settings import PatchSettings
 
@@ -29,7 +29,7 @@ def finished(piece: Piece, settings: PatchSettings) -> tuple["Polygon", list[str
     outline, notes = _one_piece(polygons(shape), piece)
     if outline is None:
         return piece.face, [f"{piece.id}: the model does not show on it; it is the plain face"]
-    return _without_small_holes(outline, piece, settings), notes
+    return tidy(_without_small_holes(outline, piece, settings)), notes
 
 
 def _one_piece(parts: list["Polygon"], piece: Piece) -> tuple["Polygon | None", list[str]]:
@@ -58,12 +58,11 @@ def _joined(main: "Polygon", island: "Polygon", piece: Piece) -> "Polygon":
 
 
 def _without_small_holes(outline: "Polygon", piece: Piece, settings: PatchSettings) -> "Polygon":
-    """`outline` counterclockwise, with the holes that can be cut; patches inside have none."""
+    """`outline` with the holes that can be cut; patches inside have none."""
     from shapely.geometry import Polygon
-    from shapely.geometry.polygon import orient
 
     holes = [ring for ring in outline.interiors if piece.plate.principal and _can_be_cut(Polygon(ring), settings)]
-    return orient(Polygon(outline.exterior, holes))
+    return Polygon(outline.exterior, holes)
 
 
 def _can_be_cut(hole: "Polygon", settings: PatchSettings) -> bool:

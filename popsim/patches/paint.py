@@ -11,8 +11,8 @@ from popsim.geometry.arrays import FloatArray, locked
 from popsim.geometry.surface import Surface
 from popsim.mechanisms import Mechanism, Shape
 from popsim.patches.clean import cuttable
-from popsim.patches.crossing import uncross
-from popsim.patches.hold import Run, hold
+from popsim.patches.crossing import Meeting, uncross
+from popsim.patches.hold import hold
 from popsim.patches.one_piece import finished
 from popsim.patches.piece import Piece, pieces_of
 from popsim.patches.settings import PatchSettings
@@ -111,16 +111,15 @@ def _territory(mechanism: Mechanism, territories: Mapping[str, FloatArray]) -> F
 
 def _joined(mechanisms: Sequence[Mechanism], pieces: Mapping[str, Piece], settings: PatchSettings) -> list[str]:
     """Paper for all hinges, and no two patches through each other; returns notes."""
-    notes: list[str] = []
+    meetings: dict[str, Meeting] = {}
     for mechanism in mechanisms:
         for joint in mechanism.joints():
             names = [mechanism.patch_id(role) for role in joint.roles]
-            runs = [Run.of(pieces[name], joint.axis) for name in names if name in pieces]
-            if len(runs) == 2:
-                uncross(runs[0], runs[1])
-            if hold(runs, settings):
-                notes.append(f"{' and '.join(names)}: strips of the face reach for their hinge")
-    return notes
+            found = [pieces[name] for name in names if name in pieces]
+            meetings[" and ".join(names)] = Meeting(joint.axis, found)
+    uncross(list(meetings.values()))
+    reached = {names: hold(meeting.runs(), settings) for names, meeting in meetings.items()}
+    return [f"{names}: strips of the face reach for their hinge" for names, strips in reached.items() if strips]
 
 
 def _prints(

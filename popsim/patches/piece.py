@@ -33,6 +33,8 @@ class Piece:
         The outline so far: any number of polygons, possibly none.
     recesses:
         Where the model shows however deep it lies: doorways and shelves are dents of a wall, not gaps.
+    seams:
+        Lines at which the face goes on as that of a neighbour in the same plane, each of shape (2, 2).
     held:
         Paper at the hinges, which must stay.
     """
@@ -45,6 +47,7 @@ class Piece:
     box: FloatArray
     shape: "BaseGeometry"
     recesses: "BaseGeometry"
+    seams: list[FloatArray] = field(default_factory=list)
     held: list["BaseGeometry"] = field(default_factory=list)
 
 
@@ -59,5 +62,7 @@ def pieces_of(mechanism: Mechanism, box: FloatArray, settings: PatchSettings) ->
         face = Polygon(plane.flat(plate.outline))
         allowed = plate.outline if plate.room is None or name in settings.within_face else plate.room
         room = Polygon(plane.flat(allowed)).union(face)
-        pieces.append(Piece(name, plate, plane, face, room, box, Polygon(), Polygon()))
+        creased = [joint for joint in mechanism.joints() if plate.role in joint.roles and joint.crease is not None]
+        seams = [plane.flat(joint.axis) for joint in creased]
+        pieces.append(Piece(name, plate, plane, face, room, box, Polygon(), Polygon(), seams))
     return pieces

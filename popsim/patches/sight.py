@@ -57,6 +57,13 @@ class Grid:
         u = self.low[0] + (column + 0.5) * self.pixel
         return np.column_stack([u, self.low[1] + (self.shape[0] - row - 0.5) * self.pixel])
 
+    def pixels(self, line: FloatArray) -> IntArray:
+        """Rows and columns of the pixels that a segment (2, 2) runs through, shape (n, 2); perhaps outside."""
+        count = int(np.ceil(np.abs(line[1] - line[0]).max() / self.pixel * 2)) + 1
+        points = line[0] + (line[1] - line[0]) * np.linspace(0, 1, count)[:, None]
+        column, up = np.floor((points - self.low) / self.pixel).astype(np.int64).T
+        return np.column_stack([self.shape[0] - 1 - up, column])
+
 
 @dataclass(frozen=True, eq=False)
 class Sight:

@@ -58,20 +58,21 @@ def _hidden(scene: RayScene, piece: Piece, grid: Grid) -> BoolArray:
 
 
 def _enclosed(mask: BoolArray, piece: Piece, grid: Grid) -> BoolArray:
-    """Pixels of the face that are no part of the mask, but enclosed by it and the foot of an upright plate."""
+    """Pixels of the face outside the mask, but enclosed by it, by seams and by the foot of an upright plate."""
     import shapely
     from scipy.ndimage import binary_fill_holes
 
     left, lower, right, _ = piece.face.bounds
-    walls = np.pad(mask, ((0, 1), (0, 0)))
+    lines = list(piece.seams)
     if abs(piece.plane.normal[2]) < UPRIGHT:
-        rows, columns = grid.shape
-        foot = rows - round((lower - grid.low[1]) / grid.pixel)
-        low, high = (round((end - grid.low[0]) / grid.pixel) for end in (left, right))
-        walls[min(foot, rows), max(low, 0) : min(high, columns)] = True
-    inside = binary_fill_holes(walls)[:-1] & ~mask
+        lines.append(np.array([[left, lower - grid.pixel], [right, lower - grid.pixel]]))
+    walls = np.pad(mask, 1)
+    for line in lines:
+        row, column = grid.pixels(line).T
+        walls[np.clip(row + 1, 0, walls.shape[0] - 1), np.clip(column + 1, 0, walls.shape[1] - 1)] = True
+    inside = binary_fill_holes(walls)[1:-1, 1:-1] & ~mask
     at = np.flatnonzero(inside)
-    inside.ravel()[at] = shapely.contains_xy(piece.face, *grid.centres()[at].T)
+    inside[np.unravel_index(at, inside.shape)] = shapely.contains_xy(piece.face, *grid.centres()[at].T)
     return np.asarray(inside)
 
 

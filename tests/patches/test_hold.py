@@ -1,0 +1,159 @@
+"""Hinges get paper on both sides, as little as holds; patches do not reach through each other."""
+
+import numpy as np
+import pytest
+from shapely.geometry import LineString, Polygon, box
+
+from popsim.geometry.plane import Plane
+from popsim.mechanisms import Plate
+from popsim.patches import PatchSettings
+from popsim.patches.clean import polygons, union
+from popsim.patches.crossing import Meeting, uncross
+from popsim.patches.hold import Run, hold
+from popsim.patches.one_piece import finished
+from popsim.patches.piece import Piece
+
+SETTINGS = PatchSettings()
+LINE = np.array([[0.0, 0.0, 0.0], [100.0, 0.0, 0.0]])
+SPACE = np.array([[-1e3] * 3, [1e3] * 3])
+
+
+def piece(shape, face=(0, 0, 100, 50), room=(-20, -20, 120, 90), principal=True, name="P"):
+    """A piece in the plane y = 0, flat coordinates (x, z), that has a shape already."""
+    plane = Plane(np.zeros(3), np.array([1.0, 0, 0]), np.array([0, 0, 1.0]))
+    outline = plane.lift(np.array(box(*face).exterior.coords)[:-1])
+    plate = Plate(name, outline, plane.normal, principal=principal)
+    return Piece(name, plate, plane, box(*face), box(*room), SPACE, shape, Polygon())
+
+
+def on_line(shape, z=0.0):
+    """Stretches of the line at height z that a shape covers."""
+    found = shape.buffer(1e-4).intersection(LineString([(-50, z), (150, z)]))
+    parts = getattr(found, "geoms", [found])
+    return [(round(p.bounds[0], 2), round(p.bounds[2], 2)) for p in parts if p.length > 0.01]
+
+
+def test_a_silhouette_that_reaches_the_line_is_left_as_it_is():
+    own = piece(box(0, 0, 100, 40))
+    assert not hold([Run.of(own, LINE)], SETTINGS)
+    assert own.shape.area == pytest.approx(4000, abs=1e-3)
+
+
+def test_an_edge_within_snap_goes_to_the_line_and_a_gap_stays():
+    own = piece(union(box(0, 1.2, 40, 40), box(60, 0.8, 100, 40), box(0, 20, 100, 40)))
+    assert not hold([Run.of(own, LINE)], SETTINGS)
+    assert on_line(own.shape) == [(0, 40), (60, 100)]
+
+
+def wheels():
+    """A truck side: two wheels of radius 12 below a body."""
+    from shapely.geometry import Point
+
+    return union(Point(20, 12).buffer(12), Point(80, 12).buffer(12), box(0, 10, 100, 40))
+
+
+def test_wheels_are_joined_with_as_little_paper_as_holds():
+    own = piece(wheels())
+    before = own.shape.area
+    assert hold([Run.of(own, LINE)], SETTINGS)
+    stretches = on_line(own.shape)
+    assert len(stretches) == 2
+    assert sum(b - a for a, b in stretches) == pytest.approx(25, abs=2.5)
+    assert own.shape.area - before < 40
+    for (a, b), middle in zip(stretches, (20, 80), strict=True):
+        assert (a + b) / 2 == pytest.approx(middle, abs=1.5)
+
+
+def test_both_sides_of_a_joint_agree_on_where_it_holds():
+    left, right = piece(box(0, 0, 30, 40)), piece(box(25, 0, 100, 40))
+    hold([Run.of(left, LINE), Run.of(right, LINE)], SETTINGS)
+    both = left.shape.intersection(right.shape)
+    assert sum(b - a for a, b in on_line(both)) >= 24.9
+
+
+def test_paper_is_added_where_nothing_shows():
+    own = piece(Polygon())
+    assert hold([Run.of(own, LINE)], SETTINGS)
+    assert not own.shape.is_empty
+    assert sum(b - a for a, b in on_line(own.shape)) >= 24.9
+
+
+def test_a_base_patch_gets_paper_around_a_foot_inside_it():
+    base = piece(box(0, 30, 100, 50))
+    foot = LINE + np.array([0, 0, 15])
+    run = Run.of(base, foot)
+    assert run.inward is None
+    hold([run], SETTINGS)
+    assert sum(b - a for a, b in on_line(base.shape, 15.0)) >= 24.9
+
+
+def test_two_overhangs_at_one_hinge_do_not_cross():
+    first = piece(union(box(0, 0, 100, 40), box(20, -10, 60, 0)), name="A")
+    second = piece(union(box(0, 0, 100, 40), box(40, -5, 50, 0)), name="B")
+    uncross([Meeting(LINE, [first, second])])
+    assert first.shape.bounds[1] == -10
+    assert second.shape.bounds[1] == 0
+
+
+def test_overhangs_side_by_side_are_left():
+    first = piece(union(box(0, 0, 100, 40), box(0, -10, 40, 0)), name="A")
+    second = piece(union(box(0, 0, 100, 40), box(60, -5, 100, 0)), name="B")
+    uncross([Meeting(LINE, [first, second])])
+    assert (first.shape.bounds[1], second.shape.bounds[1]) == (-10, -5)
+
+
+def test_overhangs_on_one_line_do_not_cross_without_a_hinge_between_them():
+    first = piece(union(box(0, 0, 100, 40), box(20, -10, 60, 0)), name="A")
+    second = piece(union(box(0, 0, 100, 40), box(40, -5, 50, 0)), name="B")
+    uncross([Meeting(LINE, [first]), Meeting(LINE[::-1] * 0.5, [second])])
+    assert (first.shape.bounds[1], second.shape.bounds[1]) == (-10, 0)
+
+
+def test_hinge_edges_are_straight_and_exact_after_simplification():
+    ragged = Polygon([(0, 0.3), (20, 0.9), (40, 0.1), (70, 1.1), (100, 0.2), (100, 40), (0, 40)])
+    own = piece(ragged)
+    hold([Run.of(own, LINE)], SETTINGS)
+    outline, notes = finished(own, SETTINGS)
+    assert notes == []
+    assert on_line(outline) == [(0, 100)]
+    assert outline.bounds[1] == 0
+    assert len(outline.exterior.coords) <= 6
+
+
+def test_near_islands_are_joined_and_far_ones_dropped_with_a_note():
+    near = piece(union(box(0, 0, 60, 40), box(63, 10, 90, 40)))
+    outline, notes = finished(near, SETTINGS)
+    assert outline.contains(box(64, 11, 89, 39)) and notes == []
+    far = piece(union(box(0, 0, 40, 40), box(80, 10, 90, 20)))
+    outline, notes = finished(far, SETTINGS)
+    assert outline.bounds[2] == 40
+    assert notes == ["P: an island of 100 mm² is left out"]
+
+
+def test_an_island_that_carries_a_hinge_is_always_joined():
+    own = piece(union(box(0, 20, 40, 50), box(60, 0, 100, 10)))
+    own.held.append(box(60, 0, 100, 2))
+    outline, _ = finished(own, SETTINGS)
+    assert outline.contains(box(61, 1, 99, 9)) and outline.contains(box(1, 21, 39, 49))
+
+
+def test_nothing_at_all_gives_the_plain_face_with_a_note():
+    own = piece(Polygon())
+    outline, notes = finished(own, SETTINGS)
+    assert outline.equals(own.face)
+    assert "plain face" in notes[0]
+
+
+def test_holes_are_cut_in_seen_patches_only():
+    holed = box(0, 0, 100, 50).difference(box(20, 20, 30, 30))
+    assert len(finished(piece(holed), SETTINGS)[0].interiors) == 1
+    assert len(finished(piece(holed, principal=False), SETTINGS)[0].interiors) == 0
+
+
+def test_no_sliver_is_left_of_a_ragged_outline():
+    rng = np.random.default_rng(3)
+    top = [(float(x), float(30 + rng.uniform(-3, 3))) for x in np.linspace(100, 0, 40)]
+    own = piece(Polygon([(0, 0), (100, 0), *top]))
+    outline, _ = finished(own, SETTINGS)
+    assert len(polygons(outline)) == 1
+    assert outline.is_valid

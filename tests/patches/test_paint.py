@@ -1,0 +1,198 @@
+"""From mechanisms and a model to contoured, printed patches that fold."""
+
+from io import BytesIO
+
+import numpy as np
+import pytest
+from oracles.closed_form import closed_form_poses
+from oracles.crossing import crossings
+from patch_solids import BLUE, CYAN, GREEN, RED, YELLOW, box_of, coloured_box, joined
+from PIL import Image
+
+from popsim.design import Card, dump_design
+from popsim.errors import GeometryError
+from popsim.mechanisms import assemble, card_pair
+from popsim.mechanisms.box_fold import BoxFold, Top
+from popsim.mechanisms.tent_fold import TentFold
+from popsim.patches import PatchSettings, paint
+from popsim.validity import examine
+
+CARD = Card(x=(-200, 200), depth=250)
+COARSE = PatchSettings(dpi=75)
+ANGLES = np.radians([175.0, 150.0, 120.0, 90.0, 60.0, 30.0, 8.0])
+
+
+def box_fold(*tops, width=30.0):
+    return BoxFold.stepped("M1", card_pair(CARD), width, tops or (Top(-50, 50, 40),))
+
+
+def painted(mechanisms, surface, **options):
+    return paint(mechanisms, surface, {m.id: box_of(surface) for m in mechanisms}, COARSE, **options)
+
+
+def area(ring):
+    a, b = ring, np.roll(ring, -1, axis=0)
+    return float(np.linalg.norm(np.cross(a, b).sum(axis=0))) / 2
+
+
+@pytest.fixture(scope="module")
+def plain_box():
+    return painted([box_fold()], coloured_box((-50, -30, 0), (50, 30, 40)))
+
+
+def test_the_patches_of_a_box_are_its_faces(plain_box):
+    for plate in box_fold().plates():
+        shape = plain_box.shapes[f"M1.{plate.role}"]
+        assert area(shape.outline) == pytest.approx(area(plate.outline), rel=1e-3), plate.role
+        assert np.abs(shape.outline.max(axis=0) - plate.outline.max(axis=0)).max() < 0.26
+        assert shape.holes == ()
+
+
+def test_each_patch_is_printed_with_the_side_it_shows(plain_box):
+    colours = {"F_L": RED, "B_R": GREEN, "L": BLUE, "R": YELLOW, "T_G": CYAN, "T_B": CYAN}
+    for role, colour in colours.items():
+        image = np.asarray(Image.open(BytesIO(plain_box.images[f"textures/M1.{role}.png"])))
+        assert image.ndim == 3
+        assert (image == np.rint(colour[:3] * 255)).all(), role
+    assert plain_box.shapes["M1.C"].texture is None
+
+
+def test_figures_and_notes(plain_box):
+    assert plain_box.notes == ()
+    assert plain_box.renderer == "rays"
+    assert plain_box.vertices == 4 * 9
+    expected = 3 * 280 + 2 * 260 + 4 * 140
+    assert plain_box.cut_length == pytest.approx(expected, rel=1e-3)
+
+
+def test_print_covers_the_bleed_and_reads_from_outside(plain_box):
+    shape = plain_box.shapes["M1.L"]
+    frame = shape.texture_frame
+    origin, right, up = (np.array(part) for part in (frame.origin, frame.right, frame.up))
+    assert np.cross(right, up)[1] > 0
+    rel = shape.outline - origin
+    for edge in (right, up):
+        along = rel @ edge / np.linalg.norm(edge)
+        assert along.min() == pytest.approx(1.5, abs=0.01)
+        assert np.linalg.norm(edge) - along.max() >= 1.5 - 1e-6
+
+
+def test_the_same_input_gives_the_same_bytes(plain_box):
+    again = painted([box_fold()], coloured_box((-50, -30, 0), (50, 30, 40)))
+    assert again.images == plain_box.images
+    assert all(np.array_equal(again.shapes[k].outline, plain_box.shapes[k].outline) for k in again.shapes)
+
+
+def truck():
+    """A body with a gap below it, a bonnet, a bumper, and a parapet at each side of the roof."""
+    return joined(
+        coloured_box((-50, -30, 10), (20, 30, 40)),
+        coloured_box((20, -30, 10), (50, 30, 25)),
+        coloured_box((-40, -30, 0), (-25, 30, 10)),
+        coloured_box((25, -30, 0), (40, 30, 10)),
+        coloured_box((50, -30, 10), (54, 30, 16)),
+        coloured_box((-50, 29, 40), (0, 30, 46)),
+        coloured_box((-50, -30, 40), (0, -29, 46)),
+    )
+
+
+@pytest.fixture(scope="module")
+def truck_fold():
+    return box_fold(Top(-50, 20, 40), Top(20, 50, 25))
+
+
+@pytest.fixture(scope="module")
+def truck_design(truck_fold):
+    return assemble(CARD, [truck_fold], painted([truck_fold], truck(), prints=False).shapes)
+
+
+def test_sides_follow_wheels_bumper_and_parapet(truck_design):
+    side = truck_design.patch_by_id["M1.L"]
+    low, high = side.points.min(axis=0), side.points.max(axis=0)
+    assert (low[0], low[2]) == pytest.approx((-50, 0), abs=0.3)
+    assert (high[0], high[2]) == pytest.approx((54, 46), abs=0.3)
+    polygon = side.plane.polygon(side.points)
+    expected = 70 * 30 + 30 * 15 + 2 * 150 + 4 * 6 + 50 * 6
+    assert polygon.area == pytest.approx(expected, rel=0.01)
+
+
+def test_hinges_lie_on_the_wheels_only(truck_design):
+    feet = [h for h in truck_design.hinges if h.patches == ("G", "M1.L")]
+    spans = sorted(tuple(sorted(h.points[:, 0])) for h in feet)
+    assert np.allclose(spans, [(-40, -25), (25, 40)], atol=0.6)
+    assert all(np.abs(h.points[:, 2]).max() == 0 for h in feet)
+
+
+def test_contours_leave_the_theory_as_it_was(truck_design, truck_fold):
+    theory = examine(truck_design)
+    assert theory.holds
+    found = theory.mechanisms["M1"]
+    assert found.half_width == truck_fold.half_width
+    assert [top.height for top in found.tops] == [40, 25]
+
+
+def test_contours_cross_nothing_while_closing(truck_design):
+    assert list(crossings(truck_design, closed_form_poses(truck_design, ANGLES), ANGLES, 0.05)) == []
+
+
+def test_patches_named_stay_within_their_faces(truck_fold):
+    held = PatchSettings(dpi=75, within_face=frozenset({"M1.L"}))
+    surface = truck()
+    shapes = paint([truck_fold], surface, {"M1": box_of(surface)}, held, prints=False).shapes
+    assert shapes["M1.L"].outline[:, 0].max() == pytest.approx(50, abs=0.01)
+    assert shapes["M1.R"].outline[:, 0].max() == pytest.approx(54, abs=0.3)
+
+
+def test_the_backbone_stays_inside_the_sides(truck_design):
+    from shapely.geometry import Polygon
+
+    sides, spine = (Polygon(truck_design.patch_by_id[name].points[:, [0, 2]]) for name in ("M1.L", "M1.C"))
+    assert spine.within(sides.buffer(0.5))
+
+
+def test_a_doorway_is_a_dent_and_not_a_gap():
+    wall = joined(
+        coloured_box((-50, -30, 0), (20, 30, 40)),
+        coloured_box((20, 8, 0), (50, 30, 40)),
+        coloured_box((20, -30, 0), (50, -8, 40)),
+        coloured_box((20, -8, 20), (50, 8, 40)),
+    )
+    shapes = painted([box_fold()], wall, prints=False).shapes
+    assert area(shapes["M1.F_L"].outline) == pytest.approx(30 * 40, rel=0.01)
+
+
+def test_a_passage_through_is_a_gap():
+    gate = joined(
+        coloured_box((-50, 10, 0), (50, 30, 40)),
+        coloured_box((-50, -30, 0), (50, -10, 40)),
+        coloured_box((-50, -10, 20), (50, 10, 40)),
+    )
+    shapes = painted([box_fold()], gate, prints=False).shapes
+    assert area(shapes["M1.F_L"].outline) == pytest.approx(30 * 40 - 10 * 20, rel=0.02)
+
+
+def test_eaves_of_a_roof_reach_past_the_walls_it_stands_on():
+    walls = box_fold()
+    top = next(pair for pair in walls.pairs() if pair.kind.value == "opening")
+    roof = TentFold("M2", top, (-50, 50), 30, 20)
+    slopes = [np.array([[-50, 0, 60], [50, 0, 60], [50, s * 36, 36], [-50, s * 36, 36]], float) for s in (1, -1)]
+    house = coloured_box((-50, -30, 0), (50, 30, 40))
+    triangles = np.array([ring[list(k)] for ring in slopes for k in ((0, 1, 2), (0, 2, 3))])
+    surface = joined(house, type(house)(triangles, np.zeros((4, 3, 2)), np.zeros(4, int), house.materials))
+    shapes = painted([walls, roof], surface, prints=False).shapes
+    assert shapes["M2.T_3"].outline[:, 1].max() == pytest.approx(36, abs=0.4)
+    design = assemble(CARD, [walls, roof], shapes)
+    assert examine(design).holds
+    assert list(crossings(design, closed_form_poses(design, ANGLES), ANGLES, 0.05)) == []
+    dump_design(design)
+
+
+def test_a_mechanism_without_a_territory_is_refused():
+    with pytest.raises(GeometryError, match="M1 has no territory"):
+        paint([box_fold()], coloured_box((-50, -30, 0), (50, 30, 40)), {})
+
+
+def test_a_model_that_is_elsewhere_leaves_plain_faces_with_notes():
+    shapes = painted([box_fold()], coloured_box((300, 300, 300), (310, 310, 310)))
+    assert shapes.images == {}
+    assert assemble(CARD, [box_fold()], shapes.shapes)
