@@ -19,5 +19,6 @@ MuJoCo is imported inside functions, and only in this package.
 from popsim.simulation.folding import Folding, fold_design
 from popsim.simulation.gaps import Gaps
 from popsim.simulation.sweep import Sweep
+from popsim.simulation.viewer import to_mjcf
 
-__all__ = ["Folding", "Gaps", "Sweep", "fold_design"]
+__all__ = ["Folding", "Gaps", "Sweep", "fold_design", "to_mjcf"]

@@ -10,8 +10,7 @@ from popsim.design import Patch
 from popsim.geometry.arrays import FloatArray
 from popsim.simulation.candidates import Candidate, candidate_pairs
 from popsim.simulation.contact import Contact, closing_frames, contact_of
-from popsim.simulation.mjcf import text
-from popsim.simulation.pieces import convex_pieces
+from popsim.simulation.plates import mesh_assets, mesh_geoms, prisms
 from popsim.simulation.sweep import Sweep
 
 SKIN = 1e-4
@@ -63,7 +62,7 @@ class _Scene:
         patches = [sweep.design.patches[k] for k in members]
         points = np.concatenate([patch.points for patch in patches])
         self._scale = float(np.ptp(points, axis=0).max())
-        parts = [_prisms(patch, self._scale) for patch in patches]
+        parts = [prisms(patch, self._scale, SKIN) for patch in patches]
         counts = np.cumsum([0, *(len(part) for part in parts)])
         self._geoms = {k: range(counts[i], counts[i + 1]) for i, k in enumerate(members)}
         self._model: Any = mujoco.MjModel.from_xml_string(_scene_mjcf(patches, parts))
@@ -87,21 +86,12 @@ class _Scene:
         return float(-(nearest + 2 * SKIN) * self._scale)
 
 
-def _prisms(patch: Patch, scale: float) -> list[FloatArray]:
-    """Convex pieces of a patch as prisms in units of the scene, each of shape (2 k, 3)."""
-    rise = SKIN * patch.plane.normal
-    return [np.concatenate([piece / scale + rise, piece / scale - rise]) for piece in convex_pieces(patch)]
-
-
 def _scene_mjcf(patches: list[Patch], parts: list[list[FloatArray]]) -> str:
     meshes, bodies, count = [], [], 0
-    for patch, prisms in zip(patches, parts, strict=True):
-        geoms = []
-        for prism in prisms:
-            meshes.append(f'<mesh name="{count}" vertex="{text(prism)}" inertia="shell"/>')
-            geoms.append(f'<geom type="mesh" mesh="{count}"/>')
-            count += 1
-        bodies.append(f'<body name={quoteattr(patch.id)} mocap="true">{"".join(geoms)}</body>')
+    for patch, pieces in zip(patches, parts, strict=True):
+        meshes.append(mesh_assets(count, pieces))
+        bodies.append(f'<body name={quoteattr(patch.id)} mocap="true">{mesh_geoms(count, pieces)}</body>')
+        count += len(pieces)
     return (
         f'<mujoco model="plates"><asset>{"".join(meshes)}</asset><worldbody>{"".join(bodies)}</worldbody></mujoco>'
     )

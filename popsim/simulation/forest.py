@@ -2,6 +2,7 @@
 
 from collections import deque
 from dataclasses import dataclass
+from functools import cached_property
 
 from popsim.design import BACKDROP_ID, GROUND_ID, Design, Hinge
 
@@ -32,6 +33,17 @@ class Forest:
 
     joints: tuple[TreeJoint, ...]
     loops: tuple[Hinge, ...]
+
+    def hanging_on(self, patch: str) -> tuple[TreeJoint, ...]:
+        """The joints of which a patch is the parent."""
+        return self._children.get(patch, ())
+
+    @cached_property
+    def _children(self) -> dict[str, tuple[TreeJoint, ...]]:
+        found: dict[str, tuple[TreeJoint, ...]] = {}
+        for joint in self.joints:
+            found[joint.parent] = (*found.get(joint.parent, ()), joint)
+        return found
 
 
 def spanning_forest(design: Design) -> Forest:

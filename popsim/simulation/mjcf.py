@@ -1,6 +1,6 @@
 """A design as MJCF, MuJoCo's XML."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from xml.sax.saxutils import quoteattr
 
@@ -48,24 +48,56 @@ def write_mjcf(design: Design, forest: Forest, turns: Mapping[str, Turn], recipe
 
     `turns` holds how far each hinge turns, by its id.
     """
-    children: dict[str, list[TreeJoint]] = {}
-    for joint in forest.joints:
-        children.setdefault(joint.parent, []).append(joint)
-    bodies = "".join(_page(design, name, children, turns, recipe) for name in PAGES)
-    loops = "".join(
+
+    def content(joint: TreeJoint) -> str:
+        return mass_and_joint(design, joint, turns, recipe)
+
+    bodies = "".join(body_tree(f'<body name="{page}" mocap="true">', page, forest, content) for page in PAGES)
+    return (
+        '<mujoco model="pop-up"><compiler angle="radian"/>'
+        f"{options(recipe, 'autoreset contact')}"
+        f"<worldbody>{bodies}</worldbody><equality>{loops(forest, recipe)}</equality></mujoco>"
+    )
+
+
+def options(recipe: Recipe, disabled: str) -> str:
+    """Solver, time step and defaults; `disabled` lists flags of MuJoCo that are switched off."""
+    flags = " ".join(f'{flag}="disable"' for flag in disabled.split())
+    impedance = f"{recipe.impedance} {recipe.impedance}"
+    return (
+        f'<option timestep="{TIMESTEP}" gravity="0 0 0" solver="Newton" integrator="implicitfast" '
+        f'tolerance="1e-12" iterations="100"><flag {flags}/></option>'
+        f'<default><equality solref="{LOOP_SOLREF}" solimp="{impedance}"/>'
+        f'<joint solreflimit="{LOOP_SOLREF}" solimplimit="{impedance}"/></default>'
+    )
+
+
+def loops(forest: Forest, recipe: Recipe) -> str:
+    """Two equalities per hinge that closes a loop, one at each end of its axis."""
+    return "".join(
         f"<connect body1={quoteattr(hinge.patches[0])} body2={quoteattr(hinge.patches[1])} "
         f'anchor="{text(point / recipe.scale)}"/>'
         for hinge in forest.loops
         for point in hinge.points
     )
-    return (
-        '<mujoco model="pop-up"><compiler angle="radian"/>'
-        f'<option timestep="{TIMESTEP}" gravity="0 0 0" solver="Newton" integrator="implicitfast" '
-        'tolerance="1e-12" iterations="100"><flag autoreset="disable" contact="disable"/></option>'
-        f'<default><equality solref="{LOOP_SOLREF}" solimp="{recipe.impedance} {recipe.impedance}"/>'
-        f'<joint solreflimit="{LOOP_SOLREF}" solimplimit="{recipe.impedance} {recipe.impedance}"/></default>'
-        f"<worldbody>{bodies}</worldbody><equality>{loops}</equality></mujoco>"
-    )
+
+
+def body_tree(head: str, page: str, forest: Forest, content: Callable[[TreeJoint], str]) -> str:
+    """A page and all that hangs on it: `head` opens its body, `content` fills those of the others.
+
+    Written without recursion, because towers may be deep.
+    """
+    parts = [head]
+    stack: list[TreeJoint | None] = [*reversed(forest.hanging_on(page))]
+    while stack:
+        joint = stack.pop()
+        if joint is None:
+            parts.append("</body>")
+            continue
+        parts.append(f"<body name={quoteattr(joint.child)}>{content(joint)}")
+        stack.append(None)
+        stack.extend(reversed(forest.hanging_on(joint.child)))
+    return "".join(parts) + "</body>"
 
 
 def text(values: npt.ArrayLike) -> str:
@@ -73,25 +105,11 @@ def text(values: npt.ArrayLike) -> str:
     return " ".join(repr(float(value)) for value in np.ravel(np.asarray(values, float)))
 
 
-def _page(
-    design: Design, name: str, children: dict[str, list[TreeJoint]], turns: Mapping[str, Turn], recipe: Recipe
-) -> str:
-    """A page and all that hangs on it. Written without recursion, because towers may be deep."""
-    parts = [f'<body name="{name}" mocap="true">']
-    stack: list[TreeJoint | None] = [*reversed(children.get(name, []))]
-    while stack:
-        joint = stack.pop()
-        if joint is None:
-            parts.append("</body>")
-            continue
-        parts.append(f"<body name={quoteattr(joint.child)}>{_mass_and_joint(design, joint, turns, recipe)}")
-        stack.append(None)
-        stack.extend(reversed(children.get(joint.child, [])))
-    return "".join(parts) + "</body>"
+def mass_and_joint(design: Design, joint: TreeJoint, turns: Mapping[str, Turn], recipe: Recipe) -> str:
+    """Inertia and joint of a body.
 
-
-def _mass_and_joint(design: Design, joint: TreeJoint, turns: Mapping[str, Turn], recipe: Recipe) -> str:
-    """All plates weigh the same and turn alike: only where they can go matters, not how."""
+    All plates weigh the same and turn alike: only where they can go matters, not how.
+    """
     patch = design.patch_by_id[joint.child]
     points = patch.points / recipe.scale
     centre = points.mean(axis=0)
