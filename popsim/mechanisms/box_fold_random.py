@@ -9,7 +9,7 @@ from popsim.geometry.frame import Z_AXIS
 from popsim.mechanisms.box_fold import BoxFold, EndPair, Top, step_pairs
 from popsim.mechanisms.fault import Fault
 from popsim.mechanisms.pair import BasePatchPair
-from popsim.mechanisms.room import LEAST, Room, draw, draw_interval
+from popsim.mechanisms.room import GRAIN, LEAST, Room, draw, draw_interval
 
 LEAST_STEP = 1.0
 """mm; the least difference in height between neighbouring tops."""
@@ -53,7 +53,7 @@ def _random_tops(rng: Generator, x: tuple[float, float], half: float, height: fl
     ends = [x[0], *(x[0] + cut + (k + 1) * LEAST for k, cut in enumerate(cuts)), x[1]]
     heights = [height]
     for _ in range(1, count):
-        heights.append(heights[-1] - draw(rng, LEAST_STEP, height / 2 / (count - 1)))
+        heights.append(round(heights[-1] - draw(rng, LEAST_STEP, height / 2 / (count - 1)), GRAIN))
     order = [(0, 1), (1, 0)][rng.integers(2)] if count == 2 else [(0, 1, 2), (2, 1, 0), (1, 0, 2)][rng.integers(3)]
     if count == 3 and ends[2] - ends[1] > 2 * half and rng.random() < 0.5:
         order = (0, 2, 1)

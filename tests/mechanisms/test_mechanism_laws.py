@@ -29,7 +29,7 @@ every_mechanism = pytest.mark.parametrize("kind", MECHANISMS.values(), ids=MECHA
 seeds = st.integers(0, 2**32 - 1)
 
 
-def law(test=None, *, examples: int = 12):
+def law(test=None, *, examples: int = 8):
     """Run a test on drawn members of each mechanism."""
     if test is None:
         return partial(law, examples=examples)

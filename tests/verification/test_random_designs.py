@@ -68,6 +68,15 @@ def test_all_mechanisms_are_drawn_and_nested_four_deep() -> None:
     assert max(levels) == 4
 
 
+def test_some_patches_have_notches_and_windows() -> None:
+    patches = [patch for seed in range(12) for patch in random_design(seed, mechanisms=(3, 8)).design.patches]
+    polygons = [patch.plane.polygon(patch.points, patch.hole_points) for patch in patches]
+    assert any(polygon.interiors for polygon in polygons)
+    assert any(
+        len(polygon.exterior.coords) > 5 and polygon.convex_hull.area > polygon.area for polygon in polygons
+    )
+
+
 def test_number_of_mechanisms_keeps_to_its_limits() -> None:
     counts = [len(random_design(seed, mechanisms=(2, 5)).design.mechanisms) for seed in range(20)]
     assert set(counts) <= {2, 3, 4, 5}

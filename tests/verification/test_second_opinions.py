@@ -38,7 +38,7 @@ def closing(sweep: Sweep) -> dict[int, int]:
     return {round(degree): k for k, degree in enumerate(sweep.degrees[: sweep.closed + 1])}
 
 
-@pytest.mark.parametrize("seed", range(6))
+@pytest.mark.parametrize("seed", range(4))
 def test_closed_chain_agrees_with_closed_forms(seed: int) -> None:
     design = random_design(seed, mechanisms=(2, 6)).design
     folded, known = Chain(design).fold(THETA), examine(design).poses(THETA)
@@ -48,7 +48,7 @@ def test_closed_chain_agrees_with_closed_forms(seed: int) -> None:
         assert largest_difference(design, poses, {name: motion[k] for name, motion in known.items()}) < EXACT
 
 
-@pytest.mark.parametrize("seed", range(20, 24))
+@pytest.mark.parametrize("seed", range(20, 23))
 def test_closed_chain_agrees_with_the_simulation(seed: int) -> None:
     design = random_design(seed, mechanisms=(2, 6)).design
     sweep = fold_design(design, 180).sweep
@@ -58,7 +58,7 @@ def test_closed_chain_agrees_with_the_simulation(seed: int) -> None:
         assert largest_difference(design, poses, simulated) < POSE
 
 
-@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize("seed", range(2))
 @pytest.mark.parametrize("flaw", [None, *(name for name, flaw in FLAWS.items() if flaw.aspect == "clear")])
 def test_simulation_sees_the_crossings_that_are_there(flaw: str | None, seed: int) -> None:
     design = random_design(seed, mechanisms=(1, 4), breaking=flaw).design
@@ -74,7 +74,7 @@ def test_simulation_sees_the_crossings_that_are_there(flaw: str | None, seed: in
     assert bool(exact) is (flaw is not None)
 
 
-@pytest.mark.parametrize("seed", range(3))
+@pytest.mark.parametrize("seed", range(2))
 def test_free_motions_are_counted_alike(seed: int) -> None:
     design = random_design(seed, mechanisms=(1, 4), breaking="shear").design
     counted = {free for _, _, free in Chain(design).fold(np.radians([150.0, 90.0, 30.0]))}

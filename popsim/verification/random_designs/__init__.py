@@ -11,10 +11,14 @@ import numpy as np
 from popsim.design import Design
 from popsim.errors import InputError
 from popsim.mechanisms import assemble
+from popsim.verification.random_designs.contours import random_shapes
 from popsim.verification.random_designs.flaws import FLAWS, Flaw
 from popsim.verification.random_designs.growth import Limits, grow
 
 __all__ = ["FLAWS", "Flaw", "RandomDesign", "random_design"]
+
+CONTOURED = 0.5
+"""How many of the valid designs get contours; the others keep their plain faces."""
 
 
 @dataclass(frozen=True)
@@ -61,7 +65,9 @@ def random_design(
     rng = np.random.default_rng(seed)
     if breaking is None:
         growth = grow(rng, limits)
-        return RandomDesign(assemble(growth.card, growth.parts), None, f"valid, {len(growth.parts)} mechanisms")
+        shapes = random_shapes(rng, growth.parts) if rng.random() < CONTOURED else {}
+        note = f"valid, {len(growth.parts)} mechanisms, {len(shapes)} contours"
+        return RandomDesign(assemble(growth.card, growth.parts, shapes), None, note)
     if breaking not in FLAWS:
         raise InputError(f"there is no flaw {breaking!r}; choose one of {', '.join(FLAWS)}")
     flaw = FLAWS[breaking]
