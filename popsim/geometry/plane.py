@@ -85,7 +85,7 @@ def area_vector(ring: FloatArray) -> FloatArray:
     """Twice the area of a ring (n, 3) times its normal (Newell), shape (3,)."""
     points = np.asarray(ring, float)
     rel = points - points[:1]
-    (x, y, z), (u, v, w) = rel.T, np.roll(rel, -1, axis=0).T
+    (x, y, z), (u, v, w) = rel.T, np.concatenate([rel[1:], rel[:1]]).T
     return np.array([(y * w - z * v).sum(), (z * u - x * w).sum(), (x * v - y * u).sum()])
 
 
