@@ -10,6 +10,7 @@ from popsim.design import Patch
 from popsim.geometry.arrays import FloatArray
 from popsim.simulation.candidates import Candidate, candidate_pairs
 from popsim.simulation.contact import Contact, closing_frames, contact_of
+from popsim.simulation.engine import load_mujoco
 from popsim.simulation.plates import mesh_assets, mesh_geoms, prisms
 from popsim.simulation.sweep import Sweep
 
@@ -55,9 +56,7 @@ class _Scene:
     """Some patches of a design as thin convex prisms on mocap bodies."""
 
     def __init__(self, sweep: Sweep, members: list[int]) -> None:
-        import mujoco
-
-        self._mujoco = mujoco
+        self._mujoco = mujoco = load_mujoco()
         self._members = members
         patches = [sweep.design.patches[k] for k in members]
         points = np.concatenate([patch.points for patch in patches])

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 from popsim.design import Design
 from popsim.simulation.gaps import Gaps, loop_gaps
+from popsim.simulation.passing import passing_depth
 from popsim.simulation.polish import polished
 from popsim.simulation.rig import Rig
 from popsim.simulation.solver import BRISK, PATIENT, Pacing
@@ -11,6 +12,9 @@ from popsim.simulation.sweep import Sweep, fold
 
 CLOSES = 1e-3
 """mm; a largest gap up to this needs no second, patient sweep."""
+
+PASSED = 0.05
+"""mm; hinged patches that pass each other by more have gone where paper cannot."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,6 +39,25 @@ def fold_design(design: Design, angles: int) -> Folding:
 
 
 def _fold(design: Design, angles: int, pacing: Pacing) -> Folding:
-    rig = Rig(design, pacing)
+    """Fold until no hinge passes through itself, or all such hinges are joints with limits.
+
+    Closed, a parallelogram can open to either side; one of them takes patches through each other. Paper stops
+    there, and so does a joint of the forest, but not a hinge that closes a loop.
+    """
+    guarded: frozenset[str] = frozenset()
+    while True:
+        folding = _fold_once(design, angles, pacing, guarded)
+        passed = {
+            hinge.id
+            for hinge in folding.rig.forest.loops
+            if passing_depth(folding.sweep, folding.rig.turns[hinge.id]).max() > PASSED
+        }
+        if passed <= guarded or not folding.sweep.complete:
+            return folding
+        guarded |= passed
+
+
+def _fold_once(design: Design, angles: int, pacing: Pacing, guarded: frozenset[str]) -> Folding:
+    rig = Rig(design, pacing, guarded)
     sweep = polished(rig, fold(rig, angles, pacing))
     return Folding(rig, sweep, loop_gaps(sweep, rig.forest.loops))

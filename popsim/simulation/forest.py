@@ -46,15 +46,19 @@ class Forest:
         return found
 
 
-def spanning_forest(design: Design) -> Forest:
+def spanning_forest(design: Design, guarded: frozenset[str] = frozenset()) -> Forest:
     """Split the hinges of `design`.
 
-    Flat creases come first, because a joint can be limited to one side and a loop cannot; then hinges near the
-    pages, which keeps the chains short.
+    Flat creases come first, then the hinges named in `guarded`, because a joint can be limited to one side and a
+    loop cannot; then hinges near the pages, which keeps the chains short.
     """
     depth = _depths(design)
     hinges = [hinge for hinge in design.hinges if set(hinge.patches) != set(PAGES)]
-    ranked = sorted(hinges, key=lambda hinge: (hinge.crease is None, min(depth[name] for name in hinge.patches)))
+
+    def rank(hinge: Hinge) -> tuple[bool, bool, int]:
+        return hinge.crease is None, hinge.id not in guarded, min(depth[name] for name in hinge.patches)
+
+    ranked = sorted(hinges, key=rank)
     chosen = _kruskal(design, ranked)
     joints = _orient(design, chosen)
     return Forest(joints, tuple(hinge for hinge in hinges if hinge.id not in chosen))

@@ -4,6 +4,7 @@ from collections.abc import Iterable
 
 import numpy as np
 
+from popsim.geometry.arrays import FloatArray
 from popsim.geometry.plane import line_distance
 from popsim.simulation.contact import Contact, closing_frames, contact_of
 from popsim.simulation.sweep import Sweep
@@ -15,13 +16,17 @@ def find_passing(sweep: Sweep, turns: Iterable[Turn], tolerance: float) -> list[
     count = closing_frames(sweep)
     found = []
     for turn in turns:
-        places = [sweep.index[name] for name in turn.hinge.patches]
-        angle = turned(turn.hinge, *(sweep.poses[:count, place] for place in places))
-        over = np.maximum(np.maximum(turn.lower - angle, angle - turn.upper), 0.0)
-        depth = np.sin(np.minimum(over, np.pi / 2)) * _reach(sweep, turn)
+        depth = passing_depth(sweep, turn)[:count]
         contact = contact_of(sweep, turn.hinge.patches, dict(enumerate(depth.tolist())), tolerance)
         found += [] if contact is None else [contact]
     return found
+
+
+def passing_depth(sweep: Sweep, turn: Turn) -> FloatArray:
+    """How far the two patches of a hinge have passed each other at the far edge, at each angle, mm, shape (n,)."""
+    angle = turned(turn.hinge, *(sweep.poses[:, sweep.index[name]] for name in turn.hinge.patches))
+    over = np.maximum(np.maximum(turn.lower - angle, angle - turn.upper), 0.0)
+    return np.asarray(np.sin(np.minimum(over, np.pi / 2)) * _reach(sweep, turn))
 
 
 def _reach(sweep: Sweep, turn: Turn) -> float:

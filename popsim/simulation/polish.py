@@ -2,8 +2,9 @@
 
 MuJoCo enforces at most 0.9999 of a constraint, so near the open and the closed card, where a structure is soft to
 first order, a few steps leave plates off their place although the gap is tiny. A few Levenberg-Marquardt steps on
-the loop equations, from the recorded joint angles, close it. They cannot hide that a design does not fold: a pose
-is replaced only where its measured gap becomes smaller, and poses with a gap beyond NEAR are left as they are.
+the loop equations, from the recorded joint angles and within their limits, close it. They cannot hide that a
+design does not fold: a pose is replaced only where its measured gap becomes smaller, and poses with a gap beyond
+NEAR are left as they are.
 """
 
 from dataclasses import replace
@@ -54,6 +55,7 @@ def _improve(rig: Rig, theta: FloatArray, angles: FloatArray) -> FloatArray:
     jacobian = LoopJacobian(rig.design, rig.forest)
     axes = np.array([joint.hinge.points[1] - joint.hinge.points[0] for joint in rig.forest.joints])
     scale = np.sign((axes * rig.joint_axes).sum(axis=1)) / jacobian.reach
+    lower, upper = rig.joint_limits
     everything = list(range(len(rig.forest.loops)))
     angles, left = angles.copy(), np.arange(len(theta))
     for _ in range(STEPS):
@@ -66,6 +68,7 @@ def _improve(rig: Rig, theta: FloatArray, angles: FloatArray) -> FloatArray:
             if loops:
                 step = _step(jacobian, poses, columns, loops, rig.scale)
                 angles[np.ix_(left, columns)] += step * scale[columns]
+        angles[left] = np.clip(angles[left], lower, upper)
     return angles
 
 

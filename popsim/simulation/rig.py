@@ -7,6 +7,7 @@ import numpy as np
 from popsim.design import Design
 from popsim.geometry.arrays import FloatArray
 from popsim.geometry.frame import OPEN
+from popsim.simulation.engine import load_mujoco
 from popsim.simulation.forest import PAGES, Forest, spanning_forest
 from popsim.simulation.mjcf import Recipe, size_of, write_mjcf
 from popsim.simulation.solver import Pacing
@@ -31,18 +32,17 @@ class Rig:
         mm per unit of length of the model.
     model, data:
         MuJoCo's own.
-    joint_order, joint_axes:
-        Where MuJoCo keeps the angle of each joint of the forest, and its axis in the open pose, shape (j, 3).
+    joint_order, joint_axes, joint_limits:
+        Where MuJoCo keeps the angle of each joint of the forest, its axis in the open pose, shape (j, 3), and
+        its least and greatest angle, rad, each of shape (j,).
     """
 
-    def __init__(self, design: Design, pacing: Pacing) -> None:
-        import mujoco
-
+    def __init__(self, design: Design, pacing: Pacing, guarded: frozenset[str] = frozenset()) -> None:
+        mujoco = load_mujoco()
         self.design = design
-        self.forest: Forest = spanning_forest(design)
+        self.forest: Forest = spanning_forest(design, guarded)
         self.turns = {hinge.id: free_turn(design, hinge) for hinge in design.hinges if hinge.kind != "central"}
         self.scale = size_of(design)
-        mujoco.set_mju_user_warning(_ignore)
         xml = write_mjcf(design, self.forest, self.turns, Recipe(self.scale, pacing.damping, pacing.impedance))
         self.model: Any = mujoco.MjModel.from_xml_string(xml)
         self.data: Any = mujoco.MjData(self.model)
@@ -52,6 +52,9 @@ class Rig:
         self.joint_axes: FloatArray = np.array(
             [self.model.joint(joint.hinge.id).axis for joint in self.forest.joints]
         ).reshape(-1, 3)
+        limited = self.model.jnt_limited[:, None].astype(bool)
+        ranges = np.where(limited, self.model.jnt_range, [[-np.inf, np.inf]])
+        self.joint_limits: tuple[FloatArray, FloatArray] = tuple(ranges[self.joint_order].T)
         self._normals = np.array([patch.plane.normal for patch in design.patches])
         self._bodies = np.array([self.model.body(patch.id).id for patch in design.patches])
 
@@ -122,7 +125,3 @@ def page_quaternions(theta: FloatArray) -> FloatArray:
     turns[..., 0, 1] = np.sin(half)
     turns[..., 1, 1] = -np.sin(half)
     return turns
-
-
-def _ignore(message: str) -> None:
-    """MuJoCo's warnings go unheard: what they mean for the verdict is measured, not printed."""
