@@ -1,6 +1,7 @@
 """All sentences of the assembly steps, in one place."""
 
 from collections.abc import Iterable
+from itertools import groupby
 
 from popsim.layout import Crease, Face, Flap, Layout, Piece
 
@@ -19,9 +20,9 @@ def gluing_text(layout: Layout, new: Iterable[str], joints: tuple[str, ...]) -> 
     """One gluing step: fold what is new, then glue."""
     by_name = {piece.name: piece for piece in layout.pieces}
     sentences = [_fold_text(by_name[name]) for name in new if by_name[name].folds]
-    for joint in joints:
-        flaps = [flap for flap in layout.flaps if flap.joint.id == joint]
-        sentences.append(_glue_text(layout, flaps))
+    first = {flap.joint.id: flap for flap in reversed(layout.flaps)}
+    for _, alike in groupby((first[joint] for joint in joints), key=lambda flap: _manner(layout, flap)):
+        sentences.append(_glue_text(layout, list(alike)))
     return " ".join(sentences)
 
 
@@ -37,16 +38,27 @@ def _fold_text(piece: Piece) -> str:
     return f"Fold piece {piece.name} along its {_count(len(piece.folds), 'crease')} ({', '.join(kinds)})."
 
 
-def _glue_text(layout: Layout, flaps: list[Flap]) -> str:
-    flap = flaps[0]
-    number = layout.numbers[flap.joint.id]
+def _manner(layout: Layout, flap: Flap) -> tuple[str, str, Face, bool]:
+    """What flaps of one sentence have in common: pieces, face, and whether it is a seam."""
     carrier, target = layout.piece_of[flap.carrier].name, layout.piece_of[flap.target].name
-    noun = "flap" if len(flaps) == 1 else f"all {len(flaps)} flaps"
-    side = "place" if flap.face is Face.PRINTED else "the back of place"
+    return carrier, target, flap.face, flap.joint.hinge is None
+
+
+def _glue_text(layout: Layout, flaps: list[Flap]) -> str:
+    carrier, target, face, seam = _manner(layout, flaps[0])
+    numbers = [str(layout.numbers[flap.joint.id]) for flap in flaps]
+    flap = f"flap{'s' * (len(flaps) > 1)} {_listed(numbers)} of piece {carrier}"
+    if seam:
+        return f"Lay piece {target} edge to edge over {flap} and glue it."
     where = "of the same piece" if carrier == target else f"on piece {target}"
-    if flap.joint.hinge is None:
-        return f"Lay piece {target} edge to edge over {noun} {number} of piece {carrier} and glue it."
-    return f"Glue {noun} {number} of piece {carrier} to {side} {number} {where}."
+    if face is Face.REVERSE:
+        return f"Glue {flap} behind {_listed([f'({number})' for number in numbers])} {where}."
+    return f"Glue {flap} to place{'s' * (len(flaps) > 1)} {_listed(numbers)} {where}."
+
+
+def _listed(words: list[str]) -> str:
+    """1; 1 and 2; 1, 2 and 3."""
+    return words[0] if len(words) == 1 else f"{', '.join(words[:-1])} and {words[-1]}"
 
 
 def _count(number: int, noun: str) -> str:

@@ -24,6 +24,7 @@ def export(
     footer: str = "",
     banner: str | None = None,
     plan: AssemblyPlan | None = None,
+    two_sided: bool = False,
     force: bool = False,
 ) -> tuple[Path, ...]:
     """Write the sheets of a layout; the same input gives the same bytes.
@@ -44,6 +45,8 @@ def export(
         A warning on every sheet, or None.
     plan:
         Prints its numbers instead of the layout's own, and its steps after the sheets.
+    two_sided:
+        Follow each sheet by its mirrored reverse.
     force:
         Overwrite existing files.
 
@@ -60,7 +63,7 @@ def export(
     """
     writer, look = find_writer(format), find_style(style)
     layout = layout if plan is None else plan.layout
-    sheets = draw_sheets(layout, footer=footer, banner=banner)
+    sheets = draw_sheets(layout, footer=footer, banner=banner, two_sided=two_sided)
     if plan is not None:
         sheets += draw_steps(plan)
     try:

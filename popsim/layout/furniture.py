@@ -6,6 +6,7 @@ from textwrap import wrap
 import numpy as np
 
 from popsim.layout.paper import Paper
+from popsim.layout.registration import REGISTRATIONS
 from popsim.layout.settings import HEADER, LayoutSettings
 from popsim.layout.sheet import TEXT_WIDTH, Area, Line, Mark, Role, Text
 
@@ -28,21 +29,22 @@ def furnish(
     paper: Paper, settings: LayoutSettings, title: str, *, footer: str, banner: str | None
 ) -> Iterator[Mark]:
     """Marks in the bands above and below the pieces."""
-    left, right = settings.margin, paper.width - settings.margin
+    left, right = settings.border, paper.width - settings.border
     yield from _head(paper, settings, title, banner)
-    base = settings.margin
+    base = settings.border
     yield from _footer(footer, left, right, base)
     yield from _scale_bars(left, base + 6.5)
     yield from _legend(left, base + 13.5)
+    yield from REGISTRATIONS[settings.registration].marks(paper)
 
 
 def _head(paper: Paper, settings: LayoutSettings, title: str, banner: str | None) -> Iterator[Mark]:
-    y = paper.height - settings.margin - HEADER + 2
-    yield Text(Role.LABEL, title, np.array([paper.width - settings.margin, y]), 3.0, anchor="end")
+    y = paper.height - settings.border - HEADER + 2
+    yield Text(Role.LABEL, title, np.array([paper.width - settings.border, y]), 3.0, anchor="end")
     if banner:
-        room = paper.width - 2 * settings.margin - 30
+        room = paper.width - 2 * settings.border - 30
         size = min(4.0, room / max(len(banner), 1) / (TEXT_WIDTH * 1.1))
-        yield Text(Role.LABEL, banner, np.array([settings.margin, y]), size, bold=True)
+        yield Text(Role.LABEL, banner, np.array([settings.border, y]), size, bold=True)
 
 
 def _footer(footer: str, left: float, right: float, base: float) -> Iterator[Text]:

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 from popsim.layout.errors import LayoutError
 from popsim.layout.paper import Paper
+from popsim.layout.registration import REGISTRATIONS
 
 FOOTER = 17.0
 """mm above the lower margin kept for legend, scale bar, page number and reproduction line."""
@@ -30,6 +31,8 @@ class LayoutSettings:
         Divide patches too large for the sheet; else they are refused.
     grain:
         Keep the direction of the paper's grain: pieces are turned by half turns only.
+    registration:
+        Marks for a cutting machine, a name in :data:`popsim.layout.registration.REGISTRATIONS`.
     """
 
     margin: float = 10.0
@@ -38,12 +41,22 @@ class LayoutSettings:
     seam_depth: float = 10.0
     split: bool = True
     grain: bool = False
+    registration: str = "none"
 
     def __post_init__(self) -> None:
         for name in ("margin", "gap", "flap_depth", "seam_depth"):
             value = getattr(self, name)
             if not 0 < value <= 50:
                 raise LayoutError(f"{name} must lie above 0 and up to 50 mm, not {value:g}")
+
+        if self.registration not in REGISTRATIONS:
+            known = ", ".join(REGISTRATIONS)
+            raise LayoutError(f"registration marks {self.registration!r} are not known; give {known}")
+
+    @property
+    def border(self) -> float:
+        """What stays free of pieces and texts all round, mm: the margin, or more for registration marks."""
+        return max(self.margin, REGISTRATIONS[self.registration].border)
 
     def area(self, paper: Paper) -> tuple[float, float]:
         """Width and height that pieces may use on `paper`, mm.
@@ -53,11 +66,11 @@ class LayoutSettings:
         LayoutError
             The margins leave nothing.
         """
-        width = paper.width - 2 * self.margin
-        height = paper.height - 2 * self.margin - HEADER - FOOTER
+        width = paper.width - 2 * self.border
+        height = paper.height - 2 * self.border - HEADER - FOOTER
         if min(width, height) < 20:
             raise LayoutError(
-                f"margins of {self.margin:g} mm leave {width:.0f} x {height:.0f} mm of {paper.name}; "
+                f"margins of {self.border:g} mm leave {width:.0f} x {height:.0f} mm of {paper.name}; "
                 "use smaller margins or larger paper"
             )
         return width, height
@@ -65,4 +78,4 @@ class LayoutSettings:
     @property
     def corner(self) -> tuple[float, float]:
         """Lower left corner of that area on the sheet, mm from the lower left corner of the paper."""
-        return self.margin, self.margin + FOOTER
+        return self.border, self.border + FOOTER

@@ -17,9 +17,9 @@ from popsim.verification.random_designs import random_design
 CARD = Card(x=(-80, 80), depth=120)
 
 
-@pytest.fixture(scope="module", params=range(5))
+@pytest.fixture(scope="module", params=range(4))
 def plan(request: pytest.FixtureRequest) -> AssemblyPlan:
-    return plan_assembly(lay_out(random_design(request.param, mechanisms=(1, 6)).design))
+    return plan_assembly(lay_out(random_design(request.param, mechanisms=(1, 4)).design))
 
 
 def respects(order: tuple[str, ...], before: tuple[tuple[str, str], ...]) -> bool:
@@ -43,7 +43,8 @@ def test_numbers_follow_the_order(plan: AssemblyPlan) -> None:
 
 def test_steps_name_pieces_that_exist_and_each_number_once(plan: AssemblyPlan) -> None:
     names = {piece.name for piece in plan.layout.pieces}
-    words = Counter(int(number) for step in plan.steps for number in re.findall(r"flaps? (\d+) of", step.text))
+    lists = [found for step in plan.steps for found in re.findall(r"flaps? ([\d, and]+) of", step.text)]
+    words = Counter(int(number) for found in lists for number in re.findall(r"\d+", found))
     assert words == Counter(plan.layout.numbers.values())
     for step in plan.steps:
         assert set(step.pieces) <= names
@@ -108,6 +109,6 @@ def test_a_divided_card_is_joined_before_anything_stands_on_it() -> None:
 
 
 def test_same_layout_same_plan() -> None:
-    one, other = (plan_assembly(lay_out(random_design(3, mechanisms=(1, 5)).design)) for _ in range(2))
+    one, other = (plan_assembly(lay_out(random_design(3, mechanisms=(1, 3)).design)) for _ in range(2))
     assert one.text == other.text
     assert one.order == other.order

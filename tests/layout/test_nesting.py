@@ -23,7 +23,7 @@ def random_shapes(count: int) -> list[Polygon]:
 
 
 def test_irregular_shapes_share_sheets() -> None:
-    shapes = random_shapes(60)
+    shapes = random_shapes(45)
     places = nest(shapes, [str(k) for k in range(len(shapes))], ROOM, 3.0, grain=False)
     filled = np.zeros(max(place.sheet for place in places) + 1)
     for shape, place in zip(shapes, places, strict=True):
@@ -56,7 +56,7 @@ def test_grain_keeps_the_direction() -> None:
 
 
 def test_same_shapes_same_places() -> None:
-    shapes = random_shapes(20)
+    shapes = random_shapes(8)
     names = [str(k) for k in range(len(shapes))]
     one, other = (nest(shapes, names, ROOM, 3.0, grain=False) for _ in range(2))
     for a, b in zip(one, other, strict=True):
