@@ -3,7 +3,7 @@
 In skew coordinates sides, backbone and tops do not move, and each end pair sweeps outward between the two sides,
 lifted as it goes. So sides may rise above the tops, and reach as far along x as the pairs sweep; tops may reach
 beyond the sides, but not along x, where a pair passes; pairs may rise above the top behind them, from which they
-move away, but not reach beyond the sides.
+move away. What of a pair is beyond a side turns about their hinge the other way: backward, and down.
 """
 
 from typing import TYPE_CHECKING
@@ -15,14 +15,20 @@ from popsim.geometry.arrays import FloatArray
 if TYPE_CHECKING:
     from popsim.mechanisms.box_fold import BoxFold, EndPair, Top
 
-RISE = 0.5
-"""Half widths by which sides and pairs may rise above the tops."""
+RISE = 1.1
+"""Half widths by which sides and pairs may rise above the tops: gables of a little more than 45 degrees."""
 
 EAVES = 0.25
 """Half widths by which tops may reach beyond the sides."""
 
 LONGEST_EAVES = 8.0
 """mm; more would be in the way of what stands beside the box."""
+
+EARS = 0.35
+"""Half widths by which end pairs may reach beyond the sides."""
+
+LONGEST_EARS = 15.0
+"""mm; as for eaves."""
 
 TOP_DEPTH = 0.75
 """Share of the drop beside a top down to which the model shows on it."""
@@ -58,10 +64,16 @@ def top_depth(box: "BoxFold", top: "Top") -> float:
 
 
 def end_room(box: "BoxFold", end: "EndPair", sign: int) -> FloatArray:
-    """Room of one patch of an end pair, shape (4, 3)."""
-    low, high = box.pair.v + end.low, box.pair.v + end.high + RISE * box.half_width
-    across = sign * box.half_width
-    return np.array([[end.x, y, z] for y, z in ((0, low), (across, low), (across, high), (0, high))])
+    """Room of one patch of an end pair, shape (7, 3).
+
+    Its ear beyond the side swings back along the side's other face and sinks by as much as it reaches out, so it
+    starts that high above the base, and stays below the eaves of the top behind it.
+    """
+    low, high, w = end.low, end.high, box.half_width
+    ear = min(EARS * w, LONGEST_EARS, high - low)
+    peak = high + RISE * w
+    ring = [(0, low), (w, low), (w + ear, max(low, ear)), (w + ear, high), (w, high), (w, peak)]
+    return np.array([[end.x, sign * y, box.pair.v + z] for y, z in [*ring, (0, peak)]])
 
 
 def end_depth(box: "BoxFold", end: "EndPair") -> float:
