@@ -111,10 +111,9 @@ class Rig:
         poses[:, 3, 3] = 1
         return poses
 
-    @property
-    def alive(self) -> bool:
-        """Whether the state still holds numbers."""
-        return bool(np.isfinite(self.data.qpos).all() and np.isfinite(self.data.qvel).all())
+    def state(self) -> FloatArray:
+        """Joint positions as MuJoCo orders them, shape (q,)."""
+        return np.array(self.data.qpos)
 
 
 def page_quaternions(theta: FloatArray) -> FloatArray:

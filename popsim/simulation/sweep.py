@@ -9,12 +9,16 @@ from popsim.design import Design
 from popsim.geometry.arrays import FloatArray
 from popsim.geometry.rigid import transform
 from popsim.simulation.hull import hull_corners
+from popsim.simulation.kinematics import chain_poses
 from popsim.simulation.rig import Rig, page_quaternions
 from popsim.simulation.schedule import Schedule
 from popsim.simulation.solver import Pacing
 
 PRESS_STEPS = 20
 """Steps at the closed card in which the pages press on what lies between them."""
+
+TORN = 1e3
+"""rad; a joint that turned farther than this was flung about by loops that cannot close."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -82,24 +86,24 @@ def fold(rig: Rig, count: int, pacing: Pacing) -> Sweep:
     schedule = Schedule(count, pacing)
     turns = page_quaternions(schedule.driven)
     rig.settle(schedule.settle_steps[0])
-    poses, states = [rig.poses()], [rig.data.qpos.copy()]
+    states = [rig.state()]
     driven = 0
     for steps, rest in zip(schedule.leg_steps, schedule.settle_steps[1:], strict=True):
         for turn in turns[driven : driven + steps]:
             rig.hold(turn)
             rig.step()
         driven += steps
-        if len(poses) == count:
+        if len(states) == count:
             rig.press(PRESS_STEPS)
         rig.settle(rest)
-        if not rig.alive:
-            break
-        poses.append(rig.poses())
-        states.append(rig.data.qpos.copy())
-    return Sweep(
-        design=rig.design,
-        theta=schedule.recorded[: len(poses)],
-        poses=np.array(poses),
-        states=np.array(states),
-        complete=len(poses) == len(schedule.recorded),
-    )
+        states.append(rig.state())
+    return _recorded(rig, schedule.recorded, np.array(states))
+
+
+def _recorded(rig: Rig, theta: FloatArray, states: FloatArray) -> Sweep:
+    """The sweep up to the first state that holds no numbers any more."""
+    sound = np.isfinite(states).all(axis=1) & (np.abs(states).max(axis=1, initial=0.0) < TORN)
+    count = len(theta) if sound.all() else int(np.argmin(sound))
+    theta, states = theta[:count], states[:count]
+    poses = chain_poses(rig, theta, states[:, rig.joint_order])
+    return Sweep(rig.design, theta, poses, states, complete=bool(sound.all()))
