@@ -7,7 +7,7 @@ an earlier one offers, so that constraints 1 to 3 hold by construction, and it i
 design still meets every condition of :mod:`popsim.validity`.
 """
 
-from popsim.fitting.fit import Fit, FitSettings, fit
+from popsim.fitting.fit import Fit, FitSettings, Subject, fit
 from popsim.fitting.volume import Volume, measure_volume
 
-__all__ = ["Fit", "FitSettings", "Volume", "fit", "measure_volume"]
+__all__ = ["Fit", "FitSettings", "Subject", "Volume", "fit", "measure_volume"]

@@ -9,20 +9,16 @@ from popsim.geometry.arrays import BoolArray, FloatArray
 from popsim.geometry.frame import Side
 from popsim.mechanisms import BasePatchPair, PairKind, Primitive, PrismRow, TriangularPrism
 
-EMPTY = 0.8
-"""Price of covering an empty cell, in solid cells; below 1, because contours cut some of it away again."""
-
-
 BLOCKED = -1e4
 """Price of a cell that another prism holds: too high to be paid."""
 
 
 class Field:
-    """Gain per cell, changing as prisms are placed: solid 1, empty -EMPTY, held by a prism BLOCKED."""
+    """Gain per cell, changing as prisms are placed: solid 1, empty -`empty`, held by a prism BLOCKED."""
 
-    def __init__(self, volume: Volume) -> None:
+    def __init__(self, volume: Volume, empty: float) -> None:
         self.volume = volume
-        self.gain: FloatArray = np.where(volume.solid, 1.0, -EMPTY)
+        self.gain: FloatArray = np.where(volume.solid, 1.0, -empty)
         self.solid_cells = int(volume.solid.sum())
 
     def cover(self, primitive: Primitive) -> None:
@@ -36,12 +32,6 @@ class Field:
                 block = self.gain[half, a:b, c:d, e:f]
                 if block.size:
                     block[self._within(prism, (a, b), (c, d), (e, f))] = BLOCKED
-
-    def error(self) -> float:
-        """Solid cells left plus empty cells covered, as a share of the solid cells."""
-        missed = np.count_nonzero(self.gain > 0)
-        wasted = np.count_nonzero((self.gain == BLOCKED) & ~self.volume.solid)
-        return (missed + wasted) / self.solid_cells
 
     def _within(self, prism: Primitive, *ranges: tuple[int, int]) -> BoolArray:
         """Which cells of a block lie in a prism, by their centres."""

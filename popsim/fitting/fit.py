@@ -1,36 +1,37 @@
-"""Placing prisms one after another, each where it gains most."""
+"""The abstraction of a model: several greedy runs, the best of them refitted."""
 
-from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-
-import numpy as np
+from typing import TYPE_CHECKING
 
 from popsim.design import Card
-from popsim.errors import DesignError, GeometryError, InputError, MeshError
-from popsim.fitting.corners import propose_corner
-from popsim.fitting.field import Field, Spot, spot_on
-from popsim.fitting.mapping import Mapped, mappings
-from popsim.fitting.proposal import Prices, Proposal
-from popsim.fitting.roofs import propose_roof
-from popsim.fitting.rows import propose_row
-from popsim.fitting.snap import Planes, snapped
+from popsim.errors import InputError, MeshError
+from popsim.fitting.appearance import Appearance, Likeness
+from popsim.fitting.candidate import Candidate
+from popsim.fitting.greedy import Grower, Taste
+from popsim.fitting.mapping import error_cover, mappings
+from popsim.fitting.refit import Climber
+from popsim.fitting.snap import Planes
 from popsim.fitting.volume import Volume
-from popsim.geometry.arrays import BoolArray
-from popsim.mechanisms import BasePatchPair, Mechanism, PairKind, Primitive, assemble, card_pair
-from popsim.validity import examine
+from popsim.geometry.arrays import FloatArray
+from popsim.mechanisms import Mechanism, Primitive
 
-DEAREST = 0.03
-"""Price of a patch, as a share of the solid cells, at detail 0."""
+if TYPE_CHECKING:
+    from popsim.rendering.ray_scene import RayScene
 
-CHEAPEST = 0.0008
-"""The same at detail 1."""
+DEAREST, CHEAPEST = 0.03, 0.0008
+"""Price of a patch as a share of the solid cells, at detail 0 and 1."""
 
-BOTTOM = 0.25
-"""Eq. 2 counts the face a prism stands on, which nobody sees: a box that shows all the rest has error_cover of
-about 1/5. Shown shares are raised by this."""
+UNLIKE, LIKE = 0.015, 0.00015
+"""Likeness that a patch must bring, at detail 0 and 1."""
 
-SNAP = 1.2
-"""Cells that a border may move to lie on a plane of the model."""
+TASTES = ((1.0, 0.8, 0.6), (0.4, 0.8, 0.6), (0.5, 1.2, 0.9), (0.3, 0.8, 0.0))
+"""Greedy runs: factor on the price of patches, price of empty cells, trust in what follows."""
+
+SECOND = (0.1, 0.8, 0.3)
+"""The same for prisms that are added after refitting, where only the likeness decides."""
+
+BUDGET = 70
+"""Evaluations that refitting may use."""
 
 
 @dataclass(frozen=True)
@@ -54,10 +55,15 @@ class FitSettings:
         if self.most_patches < 2:
             raise InputError(f"no pop-up has fewer than 2 patches; most patches is {self.most_patches}")
 
+    def taste(self, factor: float, empty: float, trust: float) -> Taste:
+        """What a greedy run values: `factor` on the price of patches, price of empty cells, trust."""
+        price = float(DEAREST * (CHEAPEST / DEAREST) ** self.detail)
+        return Taste(factor * price, empty, trust, self.most_patches)
+
     @property
-    def patch_price(self) -> float:
-        """Price of a patch as a share of the solid cells."""
-        return float(DEAREST * (CHEAPEST / DEAREST) ** self.detail)
+    def patch_likeness(self) -> float:
+        """Likeness that a patch must bring."""
+        return float(UNLIKE * (LIKE / UNLIKE) ** self.detail)
 
 
 @dataclass(frozen=True)
@@ -68,8 +74,6 @@ class Placement:
     ----------
     primitive, mechanism:
         The primitive and its mechanism.
-    gain:
-        Share of the solid cells gained.
     error_cover:
         Eq. 2.
     alternatives:
@@ -78,7 +82,6 @@ class Placement:
 
     primitive: Primitive
     mechanism: Mechanism
-    gain: float
     error_cover: float
     alternatives: tuple[tuple[str, float], ...]
 
@@ -90,13 +93,13 @@ class Fit:
     Attributes
     ----------
     placements:
-        In the order they were placed: each stands on the card or on an earlier one.
-    error_fit:
-        Solid cells not covered plus empty cells covered, as a share of the solid cells.
+        Each stands on the card or on an earlier one.
+    likeness:
+        How much it looks like the model before contours are cut.
     """
 
     placements: tuple[Placement, ...]
-    error_fit: float
+    likeness: Likeness
 
     @property
     def mechanisms(self) -> tuple[Mechanism, ...]:
@@ -104,123 +107,60 @@ class Fit:
         return tuple(placement.mechanism for placement in self.placements)
 
 
-def fit(volume: Volume, planes: Planes, settings: FitSettings | None = None) -> Fit:
-    """Abstract a volume into prisms with their mechanisms.
+@dataclass(frozen=True, eq=False)
+class Subject:
+    """What is to be abstracted.
 
-    Parameters
+    Attributes
     ----------
-    volume:
-        The model on the card, mm.
-    planes:
-        Where its surfaces lie, mm.
-    settings:
-        What the user wants.
+    scene:
+        The model in the card frame, mm, without transparency.
+    bounds:
+        What counts of it, rows low and high, shape (2, 3).
+    volume, planes:
+        Its solid cells, and where its surfaces lie.
+    """
+
+    scene: "RayScene"
+    bounds: FloatArray
+    volume: Volume
+    planes: Planes
+
+
+def fit(subject: Subject, settings: FitSettings | None = None) -> Fit:
+    """Abstract a model into prisms with their mechanisms.
 
     Raises
     ------
     MeshError
         No prism is worth a mechanism.
     """
-    return _Fitter(volume, planes, settings or FitSettings()).run()
+    settings = settings or FitSettings()
+    appearance = Appearance(subject.scene, subject.bounds)
+
+    def value(candidate: Candidate) -> float:
+        if candidate.patches > settings.most_patches:
+            return -1.0
+        return appearance.likeness(candidate.mechanisms).overall - settings.patch_likeness * candidate.patches
+
+    volume = subject.volume
+    far = 20 * volume.cell * max(volume.shape)
+    empty = Candidate(Card(x=(-far, far), depth=far))
+    growers = [Grower(volume, subject.planes, settings.taste(*taste)) for taste in TASTES]
+    grown = [found for grower in growers if (found := grower.grow(empty)).nodes]
+    if not grown:
+        raise MeshError("no part of the model is solid enough for a mechanism; try --detail 1 or another --up")
+    climber = Climber(value, Grower(volume, subject.planes, settings.taste(*SECOND)))
+    best = climber.climb(max(grown, key=value), BUDGET)
+    return Fit(tuple(_placement(best, k) for k in range(len(best.nodes))), appearance.likeness(best.mechanisms))
 
 
-class _Fitter:
-    """The greedy search; one instance serves one run."""
-
-    def __init__(self, volume: Volume, planes: Planes, settings: FitSettings) -> None:
-        self.volume, self.planes, self.settings = volume, planes, settings
-        self.field = Field(volume)
-        self.prices = Prices(settings.patch_price * self.field.solid_cells)
-        far = 20 * volume.cell * max(volume.shape)
-        self.card = Card(x=(-far, far), depth=far)
-        self.pairs: list[BasePatchPair] = [card_pair(self.card)]
-        self.placed: list[Placement] = []
-        self.refused: set[tuple[BasePatchPair, str]] = set()
-
-    def run(self) -> Fit:
-        while (best := self._best()) is not None:
-            self._place(*best)
-        if not self.placed:
-            raise MeshError("no part of the model is solid enough for a mechanism; try --detail 1 or another --up")
-        return Fit(tuple(self.placed), self.field.error())
-
-    def _best(self) -> tuple[Proposal, Mapped, list[Mapped]] | None:
-        """The valid mechanism with the greatest profit, after what its principal faces leave unseen."""
-        found = [(p, *self._mapped(p)) for p in self._proposals()]
-        ranked = sorted(found, key=lambda entry: -self._profit(entry[0], entry[1]))
-        for proposal, mapped, others in ranked:
-            if mapped is None or self._profit(proposal, mapped) <= 0:
-                return None
-            if self._valid(mapped.mechanism):
-                return proposal, mapped, others
-            self.refused.add((proposal.pair, type(proposal.primitive).__name__))
-        return None
-
-    def _profit(self, proposal: Proposal, mapped: Mapped | None) -> float:
-        """Gain as far as principal faces show it (Eq. 2), less the price of the patches; in cells."""
-        if mapped is None:
-            return -np.inf
-        shown = min(1.0, (1 - mapped.error_cover) * (1 + BOTTOM))
-        return proposal.gain * shown - self.prices.patch * len(mapped.mechanism.plates())
-
-    def _proposals(self) -> Iterator[Proposal]:
-        for pair in self.pairs:
-            spot = spot_on(self.field, pair)
-            if spot is None:
-                continue
-            for propose in self._kinds(spot):
-                proposal = propose(spot, self.prices)
-                if proposal is not None and (pair, type(proposal.primitive).__name__) not in self.refused:
-                    yield proposal
-
-    def _kinds(self, spot: Spot) -> tuple[Callable[[Spot, Prices], Proposal | None], ...]:
-        """Searches for each kind of primitive that constraint 3 allows on a kind of pair."""
-        if spot.pair.kind is PairKind.CORNER:
-            return (propose_corner,)
-        room = self._room(spot)
-        return (lambda where, prices: propose_row(where, prices, room), propose_roof)
-
-    def _room(self, spot: Spot) -> BoolArray:
-        """Columns (x, w) where a row of each width keeps its closing range clear of its neighbours."""
-        nx, nu, _ = spot.gain.shape
-        centres = spot.start[0] + (np.arange(nx) + 0.5)[:, None] * spot.cell
-        widths = (np.arange(nu) + 1)[None] * spot.cell
-        low, high = spot.pair.free
-        room = (centres - widths >= low) & (centres + widths <= high)
-        for start, end in self._taken(spot.pair):
-            room &= (centres - widths >= end) | (centres + widths <= start)
-        return np.asarray(room)
-
-    def _taken(self, pair: BasePatchPair) -> list[tuple[float, float]]:
-        """Closing ranges of the mechanisms that already stand on a pair."""
-        return [p.mechanism.closing_range() for p in self.placed if p.mechanism.pair.patches == pair.patches]
-
-    def _mapped(self, proposal: Proposal) -> tuple[Mapped | None, list[Mapped]]:
-        """The best mechanism for a proposal, and the others."""
-        options = mappings(self._snapped(proposal), proposal.pair, f"M{len(self.placed) + 1}")
-        return (options[0], options[1:]) if options else (None, [])
-
-    def _snapped(self, proposal: Proposal) -> Primitive:
-        try:
-            return snapped(proposal.primitive, proposal.pair, self.planes, SNAP * self.volume.cell)
-        except GeometryError:
-            return proposal.primitive
-
-    def _valid(self, mechanism: Mechanism) -> bool:
-        """Whether the design still meets all conditions with one more mechanism."""
-        mechanisms = [*(placement.mechanism for placement in self.placed), mechanism]
-        if sum(len(m.plates()) for m in mechanisms) > self.settings.most_patches:
-            return False
-        try:
-            return examine(assemble(self.card, mechanisms)).holds
-        except DesignError:
-            return False
-
-    def _place(self, proposal: Proposal, mapped: Mapped, others: list[Mapped]) -> None:
-        mechanism = mapped.mechanism
-        primitive = self._snapped(proposal)
-        share = proposal.gain / self.field.solid_cells
-        alternatives = tuple((other.mechanism.type, other.error_cover) for other in others)
-        self.placed.append(Placement(primitive, mechanism, share, mapped.error_cover, alternatives))
-        self.field.cover(primitive)
-        self.pairs += mechanism.pairs()
+def _placement(candidate: Candidate, index: int) -> Placement:
+    node, mechanism = candidate.nodes[index], candidate.mechanisms[index]
+    others = mappings(node.primitive, node.pair, mechanism.id)[1:]
+    return Placement(
+        node.primitive,
+        mechanism,
+        error_cover(mechanism, node.primitive),
+        tuple((other.mechanism.type, other.error_cover) for other in others),
+    )

@@ -13,9 +13,12 @@ class Prices:
     ----------
     patch:
         Price of a patch.
+    trust:
+        How much of what could later stand on a top counts when its height is chosen, 0..1.
     """
 
     patch: float
+    trust: float = 0.0
 
 
 @dataclass(frozen=True, eq=False)

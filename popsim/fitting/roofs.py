@@ -10,6 +10,9 @@ from popsim.mechanisms import TriangularPrism
 
 ROOF_PATCHES = 2
 
+STRIDE = 2
+"""Cells between the heights that are tried; refitting finds those between."""
+
 LEAST = 2
 """Cells; a roof narrower or lower than this is noise."""
 
@@ -19,7 +22,7 @@ def propose_roof(spot: Spot, prices: Prices) -> Proposal | None:
     _, wide, high = spot.gain.shape
     if wide < LEAST or high < LEAST:
         return None
-    halves, heights = np.arange(LEAST, wide + 1), np.arange(LEAST, high + 1)
+    halves, heights = np.arange(LEAST, wide + 1), np.arange(LEAST, high + 1, STRIDE)
     reach = _reach(halves, heights, high)
     across = np.concatenate([np.zeros((len(spot.gain), 1, high)), spot.gain.cumsum(axis=1)], axis=1)
     columns = np.zeros((len(spot.gain), len(halves), len(heights)))

@@ -17,9 +17,6 @@ STEP_PATCHES = 4
 
 TOP_PATCHES = 2
 
-TRUST = 0.6
-"""How much of what could later stand on a top counts when its height is chosen."""
-
 STAND_PATCHES = 9
 """Patches of the simplest box that could later stand on a top."""
 
@@ -49,7 +46,7 @@ def propose_row(spot: Spot, prices: Prices, room: BoolArray | None = None) -> Pr
         they cover (closing range), which the caller knows.
     """
     sums = spot.summed()[:, 1:, 1:]
-    value = sums + TRUST * _later(sums, prices)
+    value = sums + prices.trust * _later(sums, prices)
     if room is not None:
         value = np.where(room[:, : value.shape[1], None], value, OUTSIDE)
     phases = _run(value, prices.patch * STEP_PATCHES)

@@ -4,8 +4,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from popsim.fitting.knobs import knobs, limited, turned
 from popsim.geometry.arrays import FloatArray
-from popsim.mechanisms import BasePatchPair, PairKind, Primitive, PrismRow, RectangularPrism, TriangularPrism
+from popsim.mechanisms import BasePatchPair, Primitive
 
 STRAIGHT = 0.95
 """|cos| of a normal to an axis above which its face lies across that axis."""
@@ -59,42 +60,12 @@ class Planes:
 
 
 def snapped(primitive: Primitive, pair: BasePatchPair, planes: Planes, reach: float) -> Primitive:
-    """The primitive with its borders moved onto planes at most `reach` mm away, kept within its pair."""
+    """The primitive with its borders moved onto planes at most `reach` mm away, kept within its pair.
 
-    def along(x: float) -> float:
-        return float(np.clip(planes.snap(x, 0, reach), *pair.x))
-
-    def up(z: float) -> float:
-        limit = np.inf if pair.kind is PairKind.OPENING else pair.v + pair.reach[1]
-        return float(min(planes.snap(z, 2, reach), limit))
-
-    def across(u: float) -> float:
-        limit = min(pair.reach) if pair.kind is PairKind.OPENING else pair.u + pair.reach[0]
-        return float(min(planes.snap(u, 1, reach), limit))
-
-    if isinstance(primitive, PrismRow):
-        tops = [(along(x0), along(x1), up(pair.v + h) - pair.v) for x0, x1, h in primitive.tops]
-        return PrismRow(across(primitive.half_width), primitive.base, _merged(tops))
-    (x0, y0, z0), (x1, y1, z1) = primitive.low, primitive.high
-    x0, x1, z1 = along(x0), along(x1), up(z1)
-    if isinstance(primitive, TriangularPrism):
-        half = across(y1)
-        return TriangularPrism((x0, -half, z0), (x1, half, z1), primitive.edges, primitive.facing)
-    near, far = sorted((abs(y0), abs(y1))) if pair.kind is PairKind.CORNER else (-abs(y1), abs(y1))
-    far = across(far)
-    y = (near, far) if pair.kind is PairKind.CORNER else (-far, far)
-    y0, y1 = sorted(pair.side.value * value for value in y)
-    return RectangularPrism((x0, y0, z0), (x1, y1, z1), primitive.turned)
-
-
-def _merged(tops: list[tuple[float, float, float]]) -> tuple[tuple[float, float, float], ...]:
-    """Tops without the empty ones, neighbours of one height joined."""
-    merged: list[tuple[float, float, float]] = []
-    for x0, x1, height in tops:
-        if x1 <= x0:
-            continue
-        if merged and abs(merged[-1][2] - height) < 1e-9:
-            merged[-1] = (merged[-1][0], x1, height)
-        else:
-            merged.append((x0, x1, height))
-    return tuple(merged)
+    Raises
+    ------
+    GeometryError
+        Nothing is left of it.
+    """
+    moved = [(axis, planes.snap(value, axis, reach)) for axis, value in knobs(primitive)]
+    return turned(primitive, [limited(knob, pair) for knob in moved])

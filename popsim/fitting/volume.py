@@ -11,8 +11,8 @@ from popsim.geometry.arrays import BoolArray, FloatArray, locked
 if TYPE_CHECKING:
     from popsim.rendering.ray_scene import RayScene
 
-CELLS = 96
-"""Cells along the longest side: on a card of 150 mm, 1.6 mm each; prisms then snap to the model's planes."""
+CELLS = 72
+"""Cells along the longest side: on a card of 150 mm, 2 mm each; prisms then snap to the model's planes."""
 
 RAYS = 2
 """Rays per cell and direction, squared; one that meets the model is enough, so that thin parts are not lost."""

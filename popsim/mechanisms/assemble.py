@@ -41,7 +41,12 @@ class Shape:
 
 
 def assemble(
-    card: Card, mechanisms: Iterable[Mechanism], shapes: Mapping[str, Shape] | None = None, **extra: Any
+    card: Card,
+    mechanisms: Iterable[Mechanism],
+    shapes: Mapping[str, Shape] | None = None,
+    *,
+    checked: bool = True,
+    **extra: Any,
 ) -> Design:
     """Make a design of mechanisms.
 
@@ -53,6 +58,8 @@ def assemble(
         Each stands on the card or on a pair that another one offers.
     shapes:
         Contours and textures that replace the plain faces, by patch id ("G" and "B" too).
+    checked:
+        Check the rules of the format; a search that knows that its mechanisms fit can save the time.
     extra:
         Further fields of :class:`~popsim.design.Design`.
 
@@ -70,7 +77,8 @@ def assemble(
     hinges += _hinges(parts, {patch.id: patch for patch in patches}, shapes)
     records = tuple(_record(mechanism) for mechanism in parts)
     design = Design(card=card, patches=tuple(patches), hinges=tuple(hinges), mechanisms=records, **extra)
-    check_rules(design)
+    if checked:
+        check_rules(design)
     return design
 
 

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 from popsim.errors import MeshError
-from popsim.fitting import Fit, FitSettings, fit, measure_volume
+from popsim.fitting import Fit, FitSettings, Subject, fit, measure_volume
 from popsim.fitting.snap import Planes
 from popsim.pipeline.prepare import Prepared
 
@@ -36,12 +36,14 @@ def abstract(prepared: Prepared, settings: FitSettings, seed: int) -> Abstractio
     from popsim.mesh.sampling import sample_surface
     from popsim.rendering.ray_scene import RayScene
 
-    volume = measure_volume(RayScene(prepared.surface.bare()), prepared.bounds)
+    scene = RayScene(prepared.surface.bare())
+    volume = measure_volume(scene, prepared.bounds)
     samples = sample_surface(prepared.surface, POINTS, seed=seed)
     planes = Planes.of(samples.points, samples.normals, samples.area, GATHER)
     for radius in CLOSINGS:
         try:
-            found = fit(volume.closed(radius) if radius else volume, planes, settings)
+            filled = volume.closed(radius) if radius else volume
+            found = fit(Subject(scene, prepared.bounds, filled, planes), settings)
         except MeshError:
             if radius == CLOSINGS[-1]:
                 raise

@@ -25,14 +25,14 @@ def report_of(run: DesignRun, layout: Layout | None, command: str) -> dict[str, 
             "reasons": list(prepared.alignment.reasons),
         },
         "fit": {
-            "error_fit": _rounded(fit.error_fit),
+            "silhouette": _rounded(fit.likeness.silhouette),
+            "relief": _rounded(fit.likeness.relief),
             "placements": [
                 {
                     "mechanism": placement.mechanism.id,
                     "type": placement.mechanism.type,
                     "base": list(placement.mechanism.pair.patches),
                     "primitive": placement.primitive.kind,
-                    "gain": _rounded(placement.gain),
                     "error_cover": _rounded(placement.error_cover),
                     "alternatives": [
                         {"type": kind, "error_cover": _rounded(error)} for kind, error in placement.alternatives

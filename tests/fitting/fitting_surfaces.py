@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from popsim.fitting import Volume, measure_volume
+from popsim.fitting import Subject, measure_volume
 from popsim.fitting.snap import Planes
 from popsim.geometry.surface import Material, Surface
 from popsim.rendering.ray_scene import RayScene
@@ -48,10 +48,11 @@ def subdivided(triangles: np.ndarray, times: int) -> np.ndarray:
     return triangles
 
 
-def measured(shape: Surface) -> tuple[Volume, Planes]:
+def subject_of(shape: Surface) -> Subject:
     """What fitting needs of a surface."""
     from popsim.mesh.sampling import sample_surface
 
     samples = sample_surface(shape, 8000, seed=0)
     planes = Planes.of(samples.points, samples.normals, samples.area, 0.5)
-    return measure_volume(RayScene(shape), shape.bounds), planes
+    scene = RayScene(shape)
+    return Subject(scene, shape.bounds, measure_volume(scene, shape.bounds), planes)

@@ -1,0 +1,101 @@
+"""A set of primitives on base patch pairs, and the mechanisms they stand for."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+from popsim.design import Card
+from popsim.errors import GeometryError
+from popsim.fitting.knobs import settled
+from popsim.fitting.mapping import mappings
+from popsim.mechanisms import BasePatchPair, Mechanism, Primitive, assemble, card_pair
+from popsim.validity import examine
+
+
+@dataclass(frozen=True)
+class Node:
+    """A primitive, the pair it stands on, and the node that offers the pair (None: the card)."""
+
+    primitive: Primitive
+    pair: BasePatchPair
+    parent: int | None
+
+
+@dataclass(frozen=True)
+class Candidate:
+    """Nodes, bases before what stands on them, and their mechanisms M1, M2 ..."""
+
+    card: Card
+    nodes: tuple[Node, ...] = ()
+    mechanisms: tuple[Mechanism, ...] = ()
+
+    @cached_property
+    def patches(self) -> int:
+        """Number of patches."""
+        return sum(len(mechanism.plates()) for mechanism in self.mechanisms)
+
+    @cached_property
+    def pairs(self) -> list[tuple[BasePatchPair, int | None]]:
+        """All pairs on offer, with the node that offers each."""
+        offered: list[tuple[BasePatchPair, int | None]] = [(card_pair(self.card), None)]
+        for index, mechanism in enumerate(self.mechanisms):
+            offered += [(pair, index) for pair in mechanism.pairs()]
+        return offered
+
+    def holds(self) -> bool:
+        """Whether all conditions of the theory hold."""
+        return examine(assemble(self.card, self.mechanisms, checked=False)).holds
+
+    def with_node(self, node: Node) -> "Candidate | None":
+        """The candidate with one more node, or None where no mechanism can represent it."""
+        return build(self.card, (*self.nodes, node))
+
+    def with_primitive(self, index: int, primitive: Primitive) -> "Candidate | None":
+        """The candidate with another primitive at a node, and all that stands on it moved along."""
+        changed = Node(primitive, self.nodes[index].pair, self.nodes[index].parent)
+        return build(self.card, (*self.nodes[:index], changed, *self.nodes[index + 1 :]))
+
+    def without(self, index: int) -> "Candidate | None":
+        """The candidate without a node and all that stands on it."""
+        gone = {index}
+        for later in range(index + 1, len(self.nodes)):
+            if self.nodes[later].parent in gone:
+                gone.add(later)
+        kept = [k for k in range(len(self.nodes)) if k not in gone]
+        place = {old: new for new, old in enumerate(kept)}
+        nodes = [self.nodes[k] for k in kept]
+        moved = [Node(n.primitive, n.pair, None if n.parent is None else place[n.parent]) for n in nodes]
+        return build(self.card, moved)
+
+
+def build(card: Card, nodes: Sequence[Node]) -> Candidate | None:
+    """Build the mechanisms of nodes, each on the pair of its parent that is nearest to its own."""
+    done: list[Node] = []
+    mechanisms: list[Mechanism] = []
+    for index, node in enumerate(nodes):
+        offered = [card_pair(card)] if node.parent is None else list(mechanisms[node.parent].pairs())
+        pair = _nearest(node.pair, offered)
+        if pair is None:
+            return None
+        try:
+            primitive = settled(node.primitive, node.pair, pair)
+        except GeometryError:
+            return None
+        mapped = mappings(primitive, pair, f"M{index + 1}")
+        if not mapped:
+            return None
+        done.append(Node(primitive, pair, node.parent))
+        mechanisms.append(mapped[0].mechanism)
+    return Candidate(card, tuple(done), tuple(mechanisms))
+
+
+def _nearest(pair: BasePatchPair, offered: Sequence[BasePatchPair]) -> BasePatchPair | None:
+    """The pair of the same kind and side that lies nearest, or None."""
+    alike = [other for other in offered if other.kind is pair.kind and other.side is pair.side]
+
+    def distance(other: BasePatchPair) -> float:
+        apart = max(0.0, max(pair.x[0], other.x[0]) - min(pair.x[1], other.x[1]))
+        ends = abs(pair.x[0] - other.x[0]) + abs(pair.x[1] - other.x[1])
+        return apart + abs(pair.u - other.u) + abs(pair.v - other.v) + 0.1 * ends
+
+    return min(alike, key=distance, default=None)
