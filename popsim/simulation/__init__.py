@@ -10,8 +10,12 @@ pop-up, so that a 50 mm and a 500 mm card are the same model.
 measured from the recorded poses with the real outlines, in millimetres. No solver setting can make a gap small
 in poses where hinges do not meet.
 
-**Settling.** After each recorded angle the pages are held for a few steps with velocities set to zero. That makes
-each step a Gauss-Newton step on the loop equations; it converges where they can be met, and stays where not.
+**Settling.** At each recorded angle the pages are held for a few steps with velocities set to zero. That makes
+each step a Gauss-Newton step on the loop equations; it converges where they can be met, and stays where not. The
+rest is polished off the joint angles (:mod:`popsim.simulation.polish`).
+
+**Paper in the way.** Joints stop where two patches lie face to face, and flat creases go to the side that the
+design says: paper does not turn through itself. That also keeps a closed card from opening crosswise.
 
 MuJoCo is imported inside functions, and only in this package.
 """
