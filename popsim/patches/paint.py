@@ -1,6 +1,7 @@
 """From mechanisms and a model to patches with contours and prints (Sec. 4.3)."""
 
 from collections.abc import Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -10,7 +11,7 @@ from popsim.errors import GeometryError
 from popsim.geometry.arrays import FloatArray, locked
 from popsim.geometry.surface import Surface
 from popsim.mechanisms import Mechanism, Shape
-from popsim.patches.clean import cuttable
+from popsim.patches.clean import common, cuttable
 from popsim.patches.crossing import Meeting, uncross
 from popsim.patches.hold import hold
 from popsim.patches.one_piece import finished
@@ -18,6 +19,7 @@ from popsim.patches.piece import Piece, pieces_of
 from popsim.patches.settings import PatchSettings
 from popsim.patches.texture import Print, print_of
 from popsim.patches.wanted import see
+from popsim.rendering.parallel import THREADS
 from popsim.rendering.ray_scene import RayScene
 
 if TYPE_CHECKING:
@@ -47,6 +49,9 @@ class Painted:
         Length of all outlines and holes, mm; edges that will be folded count too.
     vertices:
         Number of corners of all outlines and holes.
+    coverage:
+        Share of the principal faces of each mechanism on which the model shows, 0..1, by mechanism id: what is
+        far below 1 stands for little of the model.
     """
 
     shapes: Mapping[str, Shape]
@@ -55,6 +60,7 @@ class Painted:
     renderer: str
     cut_length: float
     vertices: int
+    coverage: Mapping[str, float]
 
 
 def paint(
@@ -94,19 +100,26 @@ def paint(
     for piece in pieces.values():
         see(scene, piece, settings)
         piece.shape = cuttable(piece.shape, piece.room, settings)
+    coverage = {mechanism.id: _coverage(mechanism, pieces) for mechanism in mechanisms}
     notes = _joined(mechanisms, pieces, settings)
     outlines: dict[str, Polygon] = {}
     for name, piece in pieces.items():
         outlines[name], own = finished(piece, settings)
         notes += own
     seen = _prints(scene, pieces, outlines, settings) if prints else {}
-    return _painted(pieces, outlines, seen, notes)
+    return _painted(pieces, outlines, seen, notes, coverage)
 
 
 def _territory(mechanism: Mechanism, territories: Mapping[str, FloatArray]) -> FloatArray:
     if mechanism.id not in territories:
         raise GeometryError(f"{mechanism.id} has no territory; give the box of space whose model it shows")
     return locked(territories[mechanism.id], (2, 3), f"territory of {mechanism.id}")
+
+
+def _coverage(mechanism: Mechanism, pieces: Mapping[str, Piece]) -> float:
+    shown = [pieces[mechanism.patch_id(plate.role)] for plate in mechanism.plates() if plate.principal]
+    seen = sum(common(piece.shape, piece.face).area for piece in shown)
+    return float(seen / sum(piece.face.area for piece in shown))
 
 
 def _joined(mechanisms: Sequence[Mechanism], pieces: Mapping[str, Piece], settings: PatchSettings) -> list[str]:
@@ -127,12 +140,17 @@ def _prints(
 ) -> dict[str, Print]:
     """Prints of the patches that show something, by patch id."""
     shown = [piece for piece in pieces.values() if piece.plate.principal]
-    found = {piece.id: print_of(scene, piece, outlines[piece.id], settings) for piece in shown}
-    return {name: image for name, image in found.items() if image is not None}
+    with ThreadPoolExecutor(THREADS) as pool:  # rays, filters and compression free the interpreter
+        found = pool.map(lambda piece: print_of(scene, piece, outlines[piece.id], settings), shown)
+        return {piece.id: image for piece, image in zip(shown, found, strict=True) if image is not None}
 
 
 def _painted(
-    pieces: Mapping[str, Piece], outlines: Mapping[str, "Polygon"], prints: Mapping[str, Print], notes: list[str]
+    pieces: Mapping[str, Piece],
+    outlines: Mapping[str, "Polygon"],
+    prints: Mapping[str, Print],
+    notes: list[str],
+    coverage: Mapping[str, float],
 ) -> Painted:
     shapes = {}
     for name, piece in pieces.items():
@@ -147,6 +165,7 @@ def _painted(
         renderer=RENDERER,
         cut_length=float(sum(outline.length for outline in outlines.values())),
         vertices=sum(len(s.outline) + sum(len(hole) for hole in s.holes) for s in shapes.values()),
+        coverage=coverage,
     )
 
 

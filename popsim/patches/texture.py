@@ -9,6 +9,7 @@ from popsim.design.model import TextureFrame
 from popsim.geometry.arrays import BoolArray, IntArray, UInt8Array
 from popsim.mechanisms.assemble import as_points
 from popsim.patches.piece import Piece
+from popsim.patches.refine import BLOCK, refined
 from popsim.patches.settings import PatchSettings
 from popsim.patches.sight import Grid, colours, look
 from popsim.patches.wanted import REACH, depths
@@ -16,12 +17,6 @@ from popsim.rendering.ray_scene import RayScene
 
 if TYPE_CHECKING:
     from shapely.geometry import Polygon
-
-COARSE = 2
-"""Printed pixels per side of the blocks in which the model is looked at first."""
-
-CONTRAST = 10
-"""Of 255: blocks that differ by more from a neighbour are looked at pixel by pixel."""
 
 COMPRESSION = 4
 """Of zlib: twice as fast as the best for a few percent of size."""
@@ -41,40 +36,15 @@ def print_of(scene: RayScene, piece: Piece, outline: "Polygon", settings: PatchS
     of the nearest block that does. Where colours change slowly, pixels are interpolated between blocks.
     """
     left, lower, right, upper = outline.bounds
-    bleed, block = settings.bleed, settings.print_pixel * COARSE
+    bleed, block = settings.bleed, settings.print_pixel * BLOCK
     blocks = Grid.over(piece.plane, (left - bleed, lower - bleed, right + bleed, upper + bleed), block)
     far = depths(piece, blocks, outline.buffer(bleed)).reshape(blocks.shape)
     sight = look(scene, blocks, piece.box, -REACH, far)
     if not sight.mask.any():
         return None
-    coarse = colours(scene, sight)
-    filled = coarse[nearest_seen(sight.mask)]
-    image = _enlarged(filled)
-    grid = Grid(piece.plane, blocks.low, settings.print_pixel, (image.shape[0], image.shape[1]))
-    if not scene.paint.plain:
-        near = np.repeat(np.repeat(_changing(filled, sight.mask), COARSE, axis=0), COARSE, axis=1)
-        fine = np.where(near, np.repeat(np.repeat(far, COARSE, axis=0), COARSE, axis=1), np.nan)
-        closer = look(scene, grid, piece.box, -REACH, fine)
-        image[closer.mask] = colours(scene, closer)[closer.mask]
+    filled = colours(scene, sight)[nearest_seen(sight.mask)]
+    grid, image = refined(scene, sight, filled, piece.box, -REACH, far)
     return Print(png(image), frame_of(grid))
-
-
-def _enlarged(image: UInt8Array) -> UInt8Array:
-    """Pixels interpolated between the centres of blocks."""
-    from PIL import Image
-
-    rows, columns = image.shape[:2]
-    size = (columns * COARSE, rows * COARSE)
-    return np.array(Image.fromarray(image).resize(size, Image.Resampling.BILINEAR))
-
-
-def _changing(image: UInt8Array, mask: BoolArray) -> BoolArray:
-    """Blocks beside which the colour or what is seen changes, shape (rows, columns)."""
-    from scipy.ndimage import maximum_filter, minimum_filter
-
-    channels = np.dstack([image, np.where(mask, np.uint8(255), np.uint8(0))])
-    spread = maximum_filter(channels, (3, 3, 1)) - minimum_filter(channels, (3, 3, 1))
-    return np.asarray(spread.max(axis=2) > CONTRAST)
 
 
 def frame_of(grid: Grid) -> TextureFrame:

@@ -31,11 +31,11 @@ def drawn(shape, pixel=0.25):
 
 @given(turn=st.floats(0, 90), width=st.floats(6, 40), height=st.floats(6, 40))
 @settings(max_examples=25, deadline=None)
-def test_contours_of_masks_are_true_to_a_pixel(turn, width, height):
+def test_contours_of_masks_are_true_to_less_than_two_pixels(turn, width, height):
     shape = rotate(box(-width / 2, -height / 2, width / 2, height / 2), turn)
     found = drawn(shape)
     assert isinstance(found, Polygon)
-    assert hausdorff_distance(found.boundary, shape.boundary, densify=0.1) < 0.3
+    assert hausdorff_distance(found.boundary, shape.boundary, densify=0.1) < 0.4
     assert len(found.simplify(0.18).exterior.coords) < 20
 
 

@@ -61,6 +61,7 @@ def test_figures_and_notes(plain_box):
     assert plain_box.notes == ()
     assert plain_box.renderer == "rays"
     assert plain_box.vertices == 4 * 9
+    assert plain_box.coverage["M1"] == pytest.approx(1.0, abs=0.01)
     expected = 3 * 280 + 2 * 260 + 4 * 140
     assert plain_box.cut_length == pytest.approx(expected, rel=1e-3)
 
@@ -195,4 +196,21 @@ def test_a_mechanism_without_a_territory_is_refused():
 def test_a_model_that_is_elsewhere_leaves_plain_faces_with_notes():
     shapes = painted([box_fold()], coloured_box((300, 300, 300), (310, 310, 310)))
     assert shapes.images == {}
+    assert shapes.coverage == {"M1": 0.0}
+    assert len([note for note in shapes.notes if "strips" in note]) > 0
     assert assemble(CARD, [box_fold()], shapes.shapes)
+
+
+def test_pairs_show_mirrors_beyond_the_sides_and_cross_nothing():
+    wide = joined(
+        coloured_box((-50, -30, 0), (50, 30, 40)),
+        coloured_box((46, 30, 25), (50, 38, 33)),
+        coloured_box((46, -38, 25), (50, -30, 33)),
+    )
+    box = box_fold()
+    design = assemble(CARD, [box], painted([box], wide, prints=False).shapes)
+    front = design.patch_by_id["M1.F_L"].points
+    assert front[:, 1].max() == pytest.approx(38, abs=0.4)
+    assert examine(design).holds
+    assert list(crossings(design, closed_form_poses(design, ANGLES), ANGLES, 0.05)) == []
+    assert {h.kind for h in design.hinges if h.patches == ("M1.L", "M1.F_L")} == {"glue"}
