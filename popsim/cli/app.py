@@ -6,6 +6,7 @@ from popsim import __version__
 from popsim.cli.design import design
 from popsim.cli.render import render
 from popsim.cli.schema import schema
+from popsim.cli.validate import validate
 from popsim.cli.verify import verify
 
 app = typer.Typer(
@@ -31,5 +32,5 @@ def _options(
     pass
 
 
-for command in (design, verify, render, schema):
+for command in (design, verify, validate, render, schema):
     app.command()(command)

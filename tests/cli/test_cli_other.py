@@ -30,6 +30,17 @@ def test_version_and_help(popsim) -> None:
     assert all(word in done.stdout for word in ("design", "verify", "schema"))
 
 
+def test_validate_confirms_the_conditions_and_writes_a_report(popsim, tmp_path: Path) -> None:
+    done = popsim("validate", "--count", 6, "--seed", 3, "-o", "campaign")
+    assert done.returncode == 0, done.stdout + done.stderr
+    report = json.loads((tmp_path / "campaign" / "report.json").read_text())
+    assert report["designs"] == 6 and report["passed"] is True
+    assert "PASSED 6 designs" in done.stdout
+    again = popsim("validate", "--count", 6, "-o", "campaign")
+    assert again.returncode == 2 and "--force" in again.stderr
+    assert popsim("validate", "--count", 0).returncode == 2
+
+
 def test_schema_accepts_what_popsim_writes(popsim) -> None:
     schema = json.loads(popsim("schema").stdout)
     card = Card(x=(-100.0, 100.0), depth=100.0)
