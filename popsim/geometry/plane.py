@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 from functools import cached_property
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
