@@ -16,6 +16,9 @@ if TYPE_CHECKING:
 
     Shape = TypeVar("Shape", bound=BaseGeometry)
 
+GRID = 1e-6
+"""mm; overlays are computed on this grid: far below paper, far above rounding."""
+
 
 def flat_motion(angle: float, shift: npt.ArrayLike = (0.0, 0.0)) -> FloatArray:
     """Turn by `angle` (radians, counterclockwise) about the origin, then shift by `shift` (2,); shape (3, 3)."""
@@ -48,6 +51,32 @@ def move_shape(motion: FloatArray, shape: "Shape") -> "Shape":
 def inverse(motion: FloatArray) -> FloatArray:
     """Inverse of a flat motion or any affine matrix (3, 3)."""
     return np.asarray(np.linalg.inv(motion), dtype=np.float64)
+
+
+def common(one: "BaseGeometry", other: "BaseGeometry") -> "BaseGeometry":
+    """What two geometries share, on a grid of GRID.
+
+    Without a grid, edges that coincide but for rounding can make an overlay lose areas.
+    """
+    import shapely
+
+    return shapely.intersection(_pure(one), _pure(other), grid_size=GRID)
+
+
+def without(one: "BaseGeometry", other: "BaseGeometry") -> "BaseGeometry":
+    """What of `one` lies outside `other`, on a grid of GRID."""
+    import shapely
+
+    return shapely.difference(_pure(one), _pure(other), grid_size=GRID)
+
+
+def _pure(shape: "BaseGeometry") -> "BaseGeometry":
+    """`shape` without the points and lines that an overlay leaves beside areas: no overlay takes both."""
+    import shapely
+
+    if shape.geom_type != "GeometryCollection":
+        return shape
+    return shapely.union_all([part for part in shapely.get_parts(shape) if shapely.get_dimensions(part) == 2])
 
 
 def left_of(line: FloatArray) -> FloatArray:

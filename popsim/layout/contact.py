@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 from popsim.geometry.arrays import FloatArray
-from popsim.geometry.flat import left_of
+from popsim.geometry.flat import common, left_of
 from popsim.layout.joints import Joint
 from popsim.layout.parts import Part
 
@@ -49,4 +49,4 @@ def _filled(part: Part, line: FloatArray) -> bool:
 
     across = BESIDE * left_of(line)
     strip = Polygon([line[0], line[1], line[1] + across, line[0] + across])
-    return bool(strip.intersection(part.polygon).area > strip.area / 2)
+    return bool(common(strip, part.polygon).area > strip.area / 2)

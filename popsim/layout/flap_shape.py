@@ -4,6 +4,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from popsim.geometry.flat import common, without
+
 if TYPE_CHECKING:
     from shapely.geometry import Polygon
     from shapely.geometry.base import BaseGeometry
@@ -55,8 +57,8 @@ def trimmed(flap: "Polygon", blocked: "BaseGeometry", allowed: "BaseGeometry") -
     import shapely
 
     sliver = min(SLIVER, flap.bounds[3] / 5)
-    rest = flap.intersection(allowed).difference(blocked)
-    rest = rest.buffer(-sliver, join_style="mitre").buffer(sliver, join_style="mitre").intersection(flap)
+    rest = without(common(flap, allowed), blocked)
+    rest = common(rest.buffer(-sliver, join_style="mitre").buffer(sliver, join_style="mitre"), flap)
     shapes = [_on_edge(piece) for piece in shapely.get_parts(rest) if piece.geom_type == "Polygon"]
     useful = [shape for shape in shapes if shape is not None and hold(shape) >= SHORTEST_HOLD]
     return max(useful, key=lambda shape: shape.area, default=None)

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from popsim.geometry.arrays import FloatArray
-from popsim.geometry.flat import inverse, left_of, move, move_shape
+from popsim.geometry.flat import common, inverse, left_of, move, move_shape, without
 from popsim.layout.contact import BESIDE, Contact, contacts
 from popsim.layout.flap_shape import APART, CLEARANCE, crease_span, tab, trapezoid, trimmed
 from popsim.layout.folding import Crease, into
@@ -213,7 +213,7 @@ class _Bench:
         strip = Polygon([contact.ends[0], contact.ends[1], contact.ends[1] + across, contact.ends[0] + across])
         moved = move_shape(self.net_of[name].motions[name], strip)
         return all(
-            moved.intersection(shape).area < moved.area / 2 for other, shape in self.paper[name] if other != name
+            common(moved, shape).area < moved.area / 2 for other, shape in self.paper[name] if other != name
         )
 
     def _is_alone(self, joint: Joint, name: str, contact: Contact) -> bool:
@@ -253,7 +253,7 @@ class _Bench:
         landed = [move_shape(to_strip, shape).buffer(APART) for shape in self.landed.get(key, [])]
         lines = [move(to_strip, line) for line in self.standing.get(key, [])]
         standing = [shapely.LineString(line).buffer(clearance) for line in lines if line[:, 1].max() > ON_LINE]
-        return target.difference(shapely.unary_union([rim, *landed, *standing])).intersection(full.envelope)
+        return common(without(target, shapely.unary_union([rim, *landed, *standing])), full.envelope)
 
     def _stand(self, joint: Joint, name: str) -> None:
         """Remember the lines on which other parts stand inside a face of part `name`."""
@@ -273,7 +273,7 @@ def _above(shape: "BaseGeometry", height: float) -> "BaseGeometry":
     from shapely.geometry import box
 
     low, bottom, high, top = shape.bounds
-    return shape.difference(box(low - 1, -height, high + 1, height)) if bottom < top else shape
+    return without(shape, box(low - 1, -height, high + 1, height)) if bottom < top else shape
 
 
 def _off_line(boundary: "BaseGeometry") -> "BaseGeometry":

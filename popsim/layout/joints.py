@@ -9,6 +9,7 @@ import numpy as np
 from popsim.design import Design, Hinge
 from popsim.design.rules import TOUCHING
 from popsim.geometry.arrays import FloatArray
+from popsim.geometry.flat import common
 from popsim.layout.parts import Part
 
 SHORTEST = 0.5
@@ -121,7 +122,7 @@ def _seams(pieces: list[Part]) -> Iterator[Joint]:
     import shapely
 
     for first, second in combinations(pieces, 2):
-        shared = shapely.line_merge(first.polygon.intersection(second.polygon))
+        shared = shapely.line_merge(common(first.polygon, second.polygon))
         lines = [line for line in shapely.get_parts(shared) if line.length >= SHORTEST]
         if lines:
             ends = [shapely.get_coordinates(line)[[0, -1]] for line in lines]

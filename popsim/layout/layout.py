@@ -6,14 +6,13 @@ from dataclasses import dataclass, field
 from popsim.design import Design
 from popsim.geometry.arrays import FloatArray
 from popsim.geometry.flat import flat_motion
-from popsim.layout.errors import LayoutError
-from popsim.layout.flaps import Flap, plan_flaps
+from popsim.layout.flaps import Flap
 from popsim.layout.joints import Joint, find_joints
 from popsim.layout.nesting import nest
-from popsim.layout.nets import find_nets
 from popsim.layout.paper import Paper, find_paper
 from popsim.layout.parts import Part
 from popsim.layout.pieces import Piece, make_pieces
+from popsim.layout.planning import plan_pieces
 from popsim.layout.settings import LayoutSettings
 from popsim.layout.split import divide
 
@@ -95,13 +94,7 @@ def lay_out(design: Design, *, paper: str | Paper = "A4", settings: LayoutSettin
     listed = divide(design, paper, settings)
     parts = {part.id: part for part in listed}
     joints = find_joints(design, listed)
-    nets = find_nets(listed, joints, room, 2 * settings.flap_depth)
-    flaps, left = plan_flaps(parts, joints, nets, settings)
-    if left:
-        raise LayoutError(
-            f"{left[0].id}: no flap fits between {left[0].parts[0]} and {left[0].parts[1]}; "
-            "make the hinge longer or give the patches more room beside it"
-        )
+    nets, flaps = plan_pieces(listed, joints, room, settings)
     pieces = make_pieces(parts, nets, flaps)
     return Layout(paper, settings, parts, joints, pieces, _numbers(joints, flaps), _place(pieces, room, settings))
 

@@ -57,7 +57,11 @@ class Fold(NamedTuple):
 
 
 def find_nets(
-    parts: tuple[Part, ...], joints: tuple[Joint, ...], room: tuple[float, float], allowance: float
+    parts: tuple[Part, ...],
+    joints: tuple[Joint, ...],
+    room: tuple[float, float],
+    allowance: float,
+    barred: frozenset[str] = frozenset(),
 ) -> tuple[Net, ...]:
     """Return the nets of `parts`, ordered by their first part.
 
@@ -65,9 +69,12 @@ def find_nets(
     ----------
     room, allowance:
         Width and height of the sheet, and how much flaps may add to a net's size, mm.
+    barred:
+        Ids of joints that shall be no folds.
     """
     by_id = {part.id: part for part in parts}
-    folds = [fold for joint in joints if joint.may_fold and (fold := _as_fold(joint, by_id))]
+    open_to_fold = [joint for joint in joints if joint.may_fold and joint.id not in barred]
+    folds = [fold for joint in open_to_fold if (fold := _as_fold(joint, by_id))]
     nets = []
     for group in _groups(tuple(by_id), folds):
         nets += _best([by_id[name] for name in group], folds, room, allowance)

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from popsim.geometry.arrays import FloatArray
-from popsim.geometry.flat import move, move_shape
+from popsim.geometry.flat import move, move_shape, without
 from popsim.layout.fitted_text import fitted_text
 from popsim.layout.flaps import Flap
 from popsim.layout.folding import Crease
@@ -101,7 +101,7 @@ def _pictures(parts: Mapping[str, Part], motions: Mapping[str, FloatArray]) -> I
         affine = np.eye(3)
         affine[:2, 0], affine[:2, 1], affine[:2, 2] = flat[1] - flat[0], flat[2] - flat[0], flat[0]
         others = shapely.unary_union([shape for other, shape in moved.items() if other != name])
-        clip = moved[name].buffer(BLEED, join_style="mitre", mitre_limit=2).difference(others).union(moved[name])
+        clip = without(moved[name].buffer(BLEED, join_style="mitre", mitre_limit=2), others).union(moved[name])
         yield Picture(Role.PRINT, patch.texture, affine, tuple(_rings(clip)))
 
 
@@ -122,7 +122,7 @@ def _name(layout: Layout, placement: Placement) -> Iterator[Text]:
     free = []
     for part, motion in piece.motions.items():
         printed = layout.parts[part].patch.texture is not None
-        for shape in shapely.get_parts(move_shape(motion, layout.parts[part].polygon).difference(taken)):
+        for shape in shapely.get_parts(without(move_shape(motion, layout.parts[part].polygon), taken)):
             if shape.geom_type == "Polygon":
                 free.append((printed, -round(shape.area, 3), shape))
     if free:

@@ -8,6 +8,7 @@ import numpy as np
 from popsim.design import Design
 from popsim.design.rules import TOUCHING
 from popsim.geometry.arrays import FloatArray
+from popsim.geometry.flat import common
 from popsim.layout.errors import LayoutError
 from popsim.layout.paper import Paper
 from popsim.layout.parts import Part, whole
@@ -135,7 +136,7 @@ def _halves(polygon: "Polygon", axis: int, place: float) -> list["Polygon"]:
     for end in (axis, 2 + axis):
         window = [bounds[0] - 1, bounds[1] - 1, bounds[2] + 1, bounds[3] + 1]
         window[2 + axis if end == axis else axis] = place
-        found = shapely.get_parts(polygon.intersection(box(*window)))
+        found = shapely.get_parts(common(polygon, box(*window)))
         pieces += [piece for piece in found if isinstance(piece, Polygon) and piece.area > 0]
     if len(pieces) < 2:  # a place at the rim cuts nothing off: halve instead of going on for ever
         return _halves(polygon, axis, (bounds[axis] + bounds[2 + axis]) / 2) if -inf < place < inf else pieces

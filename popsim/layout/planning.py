@@ -1,0 +1,75 @@
+"""Nets and flaps together: a net that leaves no room for a flap is opened where it is in the way."""
+
+from collections.abc import Mapping
+
+from popsim.geometry.flat import common, left_of, move_shape
+from popsim.layout.contact import BESIDE, Contact, contacts
+from popsim.layout.errors import LayoutError
+from popsim.layout.flaps import Flap, plan_flaps
+from popsim.layout.joints import Joint
+from popsim.layout.nets import Net, find_nets
+from popsim.layout.parts import Part
+from popsim.layout.settings import LayoutSettings
+
+ROUNDS = 6
+"""Times that nets are opened for flaps; each opening makes one more glue joint."""
+
+
+def plan_pieces(
+    listed: tuple[Part, ...], joints: tuple[Joint, ...], room: tuple[float, float], settings: LayoutSettings
+) -> tuple[tuple[Net, ...], tuple[Flap, ...]]:
+    """Return nets and the flaps of all joints that are no folds of them.
+
+    Raises
+    ------
+    LayoutError
+        A joint has room for a flap on neither side, whatever is opened.
+    """
+    parts = {part.id: part for part in listed}
+    barred: frozenset[str] = frozenset()
+    for _ in range(ROUNDS):
+        nets = find_nets(listed, joints, room, 2 * settings.flap_depth, barred)
+        flaps, left = plan_flaps(parts, joints, nets, settings)
+        in_the_way = frozenset(fold for joint in left for fold in _in_the_way(joint, parts, nets))
+        if not in_the_way:
+            break
+        barred |= in_the_way
+    if left:
+        raise LayoutError(
+            f"{left[0].id}: no flap fits between {left[0].parts[0]} and {left[0].parts[1]}; make the hinge "
+            "longer, give the patches more room beside it, or let it lie on the edge of one of them"
+        )
+    return nets, flaps
+
+
+def _in_the_way(joint: Joint, parts: Mapping[str, Part], nets: tuple[Net, ...]) -> set[str]:
+    """Ids of folds that hold other parts where a flap of `joint` would be."""
+    import networkx
+
+    found = set()
+    for name in joint.parts:
+        net = next(net for net in nets if name in net.motions)
+        graph = networkx.Graph()
+        for fold in net.folds:
+            graph.add_edge(*fold.parts, fold=fold.id)
+        for contact in contacts(joint, parts[name]):
+            for other in _beyond(contact, name, parts, net):
+                path = networkx.shortest_path(graph, name, other)
+                found.add(graph.edges[path[-2], path[-1]]["fold"])
+    return found
+
+
+def _beyond(contact: Contact, name: str, parts: Mapping[str, Part], net: Net) -> list[str]:
+    """Parts of a net that lie right beyond an edge of one of them."""
+    from shapely.geometry import Polygon
+
+    if not contact.is_edge:
+        return []
+    across = BESIDE * left_of(contact.ends) * (-1 if contact.left else 1)
+    strip = Polygon([*contact.ends, *(contact.ends[::-1] + across)])
+    moved = move_shape(net.motions[name], strip)
+    return [
+        other
+        for other, motion in net.motions.items()
+        if other != name and common(moved, move_shape(motion, parts[other].polygon)).area > 0.01 * moved.area
+    ]
