@@ -1,5 +1,6 @@
 """PDF of sheets at true scale, one page each; the only place that imports reportlab."""
 
+from io import BytesIO
 from pathlib import Path
 from typing import Any
 
@@ -7,7 +8,7 @@ import numpy as np
 
 from popsim.export.job import Job
 from popsim.export.styles import Colour, Style
-from popsim.export.textures import read_texture
+from popsim.export.textures import packed_texture
 from popsim.geometry.arrays import FloatArray
 from popsim.layout.sheet import Area, Line, Mark, Picture, Role, Text
 
@@ -96,4 +97,5 @@ def _picture(canvas: Any, mark: Picture, texture_root: Path) -> None:
     frame = mark.frame.copy()
     frame[:2] *= POINTS
     canvas.transform(frame[0, 0], frame[1, 0], frame[0, 1], frame[1, 1], frame[0, 2], frame[1, 2])
-    canvas.drawImage(ImageReader(read_texture(texture_root, mark.image)), 0, 0, 1, 1, mask="auto")
+    content, _ = packed_texture(texture_root, mark.image)
+    canvas.drawImage(ImageReader(BytesIO(content)), 0, 0, 1, 1)

@@ -1,7 +1,6 @@
 """SVG, one file per sheet, true scale, one Inkscape layer per role."""
 
 import base64
-from io import BytesIO
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -9,7 +8,7 @@ import numpy as np
 
 from popsim.export.job import Job, numbered
 from popsim.export.styles import Colour, Style
-from popsim.export.textures import read_texture
+from popsim.export.textures import packed_texture
 from popsim.geometry.arrays import FloatArray
 from popsim.layout.sheet import Area, Line, Mark, Picture, Role, Sheet, Text
 
@@ -94,9 +93,8 @@ def _text(mark: Text, style: Style, sheet: Sheet) -> Any:
 def _picture(mark: Picture, sheet: Sheet, texture_root: Path, name: str) -> Any:
     import drawsvg
 
-    content = BytesIO()
-    read_texture(texture_root, mark.image).save(content, "PNG")
-    data = "data:image/png;base64," + base64.b64encode(content.getvalue()).decode()
+    content, kind = packed_texture(texture_root, mark.image)
+    data = f"data:image/{kind.lower()};base64,{base64.b64encode(content).decode()}"
     frame = mark.frame
     # the unit square has y up; the image is drawn with y down
     values = (frame[0, 0], -frame[1, 0], -frame[0, 1], frame[1, 1])

@@ -1,6 +1,7 @@
-"""Images of textures, read once and checked."""
+"""Images of textures: read once, put on white paper, and packed small enough to print."""
 
 from functools import lru_cache
+from io import BytesIO
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -9,10 +10,16 @@ from popsim.errors import InputError
 if TYPE_CHECKING:
     from PIL.Image import Image
 
+LARGE = 300_000
+"""Bytes; a picture that is larger without loss is a photograph, which JPEG packs better than anything."""
+
+QUALITY = 92
+"""Of JPEG: no artefacts that a printer shows."""
+
 
 @lru_cache(maxsize=64)
 def read_texture(root: Path, name: str) -> "Image":
-    """Return the image `name` in the folder `root` as RGB or RGBA.
+    """Return the image `name` in the folder `root` as RGB; what is transparent becomes white paper.
 
     Raises
     ------
@@ -24,10 +31,23 @@ def read_texture(root: Path, name: str) -> "Image":
     path = root / name
     try:
         with Pillow.open(path) as image:
-            image.load()
-            clear = "A" in image.getbands() or "transparency" in image.info
-            return image.convert("RGBA" if clear else "RGB")
+            clear = image.convert("RGBA")
     except FileNotFoundError:
         raise InputError(f"texture {path} does not exist; keep the textures beside the design") from None
     except (OSError, ValueError) as error:
         raise InputError(f"texture {path} cannot be read as an image ({error})") from None
+    paper = Pillow.new("RGBA", clear.size, "white")
+    return Pillow.alpha_composite(paper, clear).convert("RGB")
+
+
+@lru_cache(maxsize=64)
+def packed_texture(root: Path, name: str) -> tuple[bytes, str]:
+    """Bytes of the image and their format, "PNG" or, for photographs, "JPEG"; errors as :func:`read_texture`."""
+    image = read_texture(root, name)
+    exact = BytesIO()
+    image.save(exact, "PNG")
+    if exact.tell() <= LARGE:
+        return exact.getvalue(), "PNG"
+    small = BytesIO()
+    image.save(small, "JPEG", quality=QUALITY, subsampling=0)
+    return (small.getvalue(), "JPEG") if small.tell() < exact.tell() / 2 else (exact.getvalue(), "PNG")

@@ -7,7 +7,7 @@ which is cut out in one go. :func:`lay_out` makes all of it, :func:`draw_sheets`
 
 from popsim.layout.drawing import draw_sheets
 from popsim.layout.errors import LayoutError
-from popsim.layout.flaps import Flap
+from popsim.layout.flap import Flap
 from popsim.layout.folding import Crease
 from popsim.layout.joints import Joint
 from popsim.layout.layout import Layout, Placement, lay_out

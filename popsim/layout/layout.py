@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from popsim.design import Design
 from popsim.geometry.arrays import FloatArray
 from popsim.geometry.flat import flat_motion
-from popsim.layout.flaps import Flap
+from popsim.layout.flap import Flap
 from popsim.layout.joints import Joint, find_joints
 from popsim.layout.nesting import nest
 from popsim.layout.paper import Paper, find_paper

@@ -8,7 +8,7 @@ import numpy as np
 from popsim.geometry.arrays import FloatArray
 from popsim.geometry.flat import move, move_shape, without
 from popsim.layout.fitted_text import fitted_text
-from popsim.layout.flaps import Flap
+from popsim.layout.flap import Flap
 from popsim.layout.folding import Crease
 from popsim.layout.layout import Layout, Placement
 from popsim.layout.parts import Part

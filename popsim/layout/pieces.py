@@ -9,7 +9,7 @@ from popsim.geometry.arrays import FloatArray
 from popsim.geometry.flat import move, move_shape
 from popsim.layout.contact import contacts
 from popsim.layout.errors import LayoutError
-from popsim.layout.flaps import Flap
+from popsim.layout.flap import Flap
 from popsim.layout.folding import Crease, bend, into
 from popsim.layout.joints import Joint
 from popsim.layout.nets import Net

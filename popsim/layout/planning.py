@@ -5,7 +5,8 @@ from collections.abc import Mapping
 from popsim.geometry.flat import common, left_of, move_shape
 from popsim.layout.contact import BESIDE, Contact, contacts
 from popsim.layout.errors import LayoutError
-from popsim.layout.flaps import Flap, plan_flaps
+from popsim.layout.flap import Flap
+from popsim.layout.flaps import plan_flaps
 from popsim.layout.joints import Joint
 from popsim.layout.nets import Net, find_nets
 from popsim.layout.parts import Part

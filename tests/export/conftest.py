@@ -1,29 +1,18 @@
 """A design with pictures, laid out and planned."""
 
-from pathlib import Path
-from typing import NamedTuple
-
 import numpy as np
 import pytest
 from PIL import Image
+from printed_design import Printed
 
-from popsim.assembly import AssemblyPlan, plan_assembly
+from popsim.assembly import plan_assembly
 from popsim.design import Card, Design
-from popsim.layout import Layout, lay_out
+from popsim.layout import lay_out
 from popsim.mechanisms import assemble, card_pair
 from popsim.mechanisms.box_fold import BoxFold, Top
 from popsim.mechanisms.pair import PairKind
 from popsim.mechanisms.tent_fold import TentFold
 from popsim.mechanisms.v_fold_1 import VFold1
-
-
-class Printed(NamedTuple):
-    """A design in a folder with its pictures, and what was made of it."""
-
-    design: Design
-    folder: Path
-    layout: Layout
-    plan: AssemblyPlan
 
 
 @pytest.fixture(scope="session")

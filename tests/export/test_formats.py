@@ -5,7 +5,7 @@ from pathlib import Path
 
 import ezdxf
 import pytest
-from conftest import Printed
+from printed_design import Printed
 
 from popsim.errors import InputError, OutputError
 from popsim.export import FORMATS, STYLES, export

@@ -5,7 +5,7 @@ from pathlib import Path
 import numpy as np
 import pypdfium2
 import pytest
-from conftest import Printed
+from printed_design import Printed
 
 from popsim.design import Card, Design
 from popsim.export import export

@@ -9,7 +9,7 @@ import ezdxf
 import numpy as np
 import pytest
 import shapely
-from conftest import Printed
+from printed_design import Printed
 from rebuild import TRUE, Lines, bends_away, faces, match
 from svgelements import SVG, Group
 from svgelements import Path as SvgPath

@@ -143,3 +143,24 @@ def test_flaps_of_two_joints_on_one_edge_take_turns() -> None:
     assert [target for _, target in along] == ["G", "B", "G", "B"]
     lengths = [line[1] - line[0] for line, _ in along]
     assert lengths == pytest.approx([19.0] * 4)
+
+
+def test_a_net_opens_where_it_leaves_no_room_for_a_flap() -> None:
+    # a wall with a step in its outline: the lid over the low part unfolds along the edge of the high part,
+    # to which a patch standing across the wall must be glued; that patch has paper on both sides of the line
+    wall_shape = Patch(
+        id="W", outline=((0, 20, 0), (40, 20, 0), (40, 20, 20), (20, 20, 20), (20, 20, 50), (0, 20, 50))
+    )
+    lid = Patch(id="T", outline=((20, 20, 20), (40, 20, 20), (40, 50, 20), (20, 50, 20)))
+    across = Patch(id="X", outline=((20, 10, 22), (20, 40, 22), (20, 40, 48), (20, 10, 48)))
+    hinges = [
+        foot("g", "W", (0.0, 20.0), (40.0, 20.0)),
+        Hinge(id="t", patches=("W", "T"), axis=((20, 20, 20), (40, 20, 20)), kind="fold"),
+        Hinge(id="x", patches=("W", "X"), axis=((20, 20, 22), (20, 20, 48)), kind="glue"),
+    ]
+    layout = lay_out(design([wall_shape, lid, across], hinges))
+    assert layout.piece_of["W"] is not layout.piece_of["T"]
+    (flap,) = (flap for flap in layout.flaps if flap.joint.id == "x")
+    assert (flap.carrier, flap.target) == ("W", "X")
+    without = lay_out(design([wall_shape, lid], hinges[:2]))
+    assert without.piece_of["W"] is without.piece_of["T"]
