@@ -9,7 +9,9 @@ import typer
 def verify(
     path: Annotated[Path, typer.Argument(metavar="DESIGN", help="A design.json, of popsim or anybody else.")],
     report: Annotated[Path | None, typer.Option(metavar="FILE", help="Write the JSON report here.")] = None,
-    force: Annotated[bool, typer.Option("--force", help="Overwrite an existing report.")] = False,
+    junit: Annotated[Path | None, typer.Option(metavar="FILE", help="Write the verdict as JUnit XML.")] = None,
+    mjcf: Annotated[Path | None, typer.Option(metavar="FILE", help="Write the model for MuJoCo's viewer.")] = None,
+    force: Annotated[bool, typer.Option("--force", help="Overwrite existing files.")] = False,
 ) -> None:
     """Fold a design in MuJoCo and compare what is measured with the theory.
 
@@ -18,13 +20,19 @@ def verify(
     from popsim.cli.table import print_verdict
     from popsim.design import load_design
     from popsim.files import refuse_overwrite, write_text
+    from popsim.simulation import to_mjcf
     from popsim.verification import verify as fold_and_judge
 
     design = load_design(path)
-    if report is not None:
-        refuse_overwrite(report, force)
+    for wanted in (report, junit, mjcf):
+        if wanted is not None:
+            refuse_overwrite(wanted, force)
     verdict = fold_and_judge(design)
     if report is not None:
         write_text(report, verdict.to_json(), force=force)
+    if junit is not None:
+        write_text(junit, verdict.to_junit(str(path)), force=force)
+    if mjcf is not None:
+        write_text(mjcf, to_mjcf(design), force=force)
     print_verdict(verdict, str(path))
     raise typer.Exit(0 if verdict.passed else 1)

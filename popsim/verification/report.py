@@ -20,8 +20,8 @@ def rows(verdict: Verdict) -> list[dict[str, str]]:
             "aspect": measure.name,
             "condition": "closed form",
             "margin": "",
-            "measured": _amount(measure, measure.value),
-            "tolerance": _amount(measure, measure.tolerance),
+            "measured": measure.found,
+            "tolerance": measure.allowed,
             "where": measure.where,
             "theory": "",
             "simulation": "agrees" if measure.holds else "differs",
@@ -121,8 +121,8 @@ def _row(finding: Finding) -> dict[str, str]:
         "aspect": finding.aspect,
         "condition": "" if tightest is None else f"{tightest.subject}: {tightest.name}",
         "margin": "" if tightest is None else f"{tightest.margin:.4g} mm",
-        "measured": "" if worst is None else f"{worst.name} {_amount(worst, worst.value)}",
-        "tolerance": "" if worst is None else _amount(worst, worst.tolerance),
+        "measured": "" if worst is None else f"{worst.name} {worst.found}",
+        "tolerance": "" if worst is None else worst.allowed,
         "where": finding.unjudged if worst is None else worst.where,
         "theory": _word(finding.theory),
         "simulation": _word(finding.simulation),
@@ -132,10 +132,6 @@ def _row(finding: Finding) -> dict[str, str]:
 
 def _word(holds: bool | None) -> str:
     return {True: "pass", False: "refuse", None: "-"}[holds]
-
-
-def _amount(measure: Measure, value: float) -> str:
-    return f"{value:.3g} {measure.unit}".strip()
 
 
 def _numbers(values: Any) -> list[float | None]:

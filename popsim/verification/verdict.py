@@ -43,6 +43,16 @@ class Measure:
         """Value over tolerance; above 1 it is broken."""
         return self.value / self.tolerance if self.tolerance else self.value * float("inf") if self.value else 0.0
 
+    @property
+    def found(self) -> str:
+        """The value with its unit, in words."""
+        return f"{self.value:.3g} {self.unit}".strip()
+
+    @property
+    def allowed(self) -> str:
+        """The tolerance with its unit, in words."""
+        return f"{self.tolerance:.3g} {self.unit}".strip()
+
 
 @dataclass(frozen=True)
 class Finding:
@@ -151,6 +161,12 @@ class Verdict:
         from popsim.verification.report import rows
 
         return rows(self)
+
+    def to_junit(self, name: str) -> str:
+        """The verdict as JUnit XML, `name` being that of the design."""
+        from popsim.verification.junit import to_junit
+
+        return to_junit(self, name)
 
     def to_json(self) -> str:
         """The report; the same design gives the same text."""

@@ -1,0 +1,40 @@
+"""What `popsim verify` writes beside its table."""
+
+from pathlib import Path
+from xml.etree import ElementTree
+
+import pytest
+from folding_designs import overlapping_boxes, plain_box
+
+from popsim.design import dump_design
+from popsim.simulation import to_mjcf
+
+OPTIONS = ["--junit", "--mjcf"]
+
+
+@pytest.fixture
+def box(tmp_path: Path) -> str:
+    (tmp_path / "box.json").write_text(dump_design(plain_box()))
+    return "box.json"
+
+
+def test_all_files_are_written_also_for_what_fails(popsim, tmp_path: Path) -> None:
+    (tmp_path / "cross.json").write_text(dump_design(overlapping_boxes()))
+    done = popsim("verify", "cross.json", "--junit", "out.xml", "--mjcf", "out.mjcf.xml")
+    assert done.returncode == 1, done.stderr
+    suite = ElementTree.fromstring((tmp_path / "out.xml").read_text()).find("testsuite")
+    assert suite.get("name") == "cross.json" and suite.get("failures") == "1"
+    assert (tmp_path / "out.mjcf.xml").read_text() == to_mjcf(overlapping_boxes())
+
+
+@pytest.mark.parametrize("option", OPTIONS)
+def test_no_file_is_overwritten_without_force_and_none_written_before(
+    popsim, tmp_path: Path, box: str, option: str
+) -> None:
+    (tmp_path / "kept").write_text("mine")
+    done = popsim("verify", box, option, "kept", "--report", "verdict.json")
+    assert done.returncode == 2 and "--force" in done.stderr
+    assert (tmp_path / "kept").read_text() == "mine"
+    assert not (tmp_path / "verdict.json").exists()
+    assert popsim("verify", box, option, "kept", "--force").returncode == 0
+    assert (tmp_path / "kept").read_text() != "mine"
