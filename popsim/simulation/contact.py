@@ -23,12 +23,15 @@ class Contact:
         How far one reaches through the other at most, mm.
     deepest:
         Fold angle of that, rad.
+    trace:
+        Fold angle in rad and depth in mm wherever they cross, while closing.
     """
 
     patches: tuple[str, str]
     first: float
     depth: float
     deepest: float
+    trace: tuple[tuple[float, float], ...]
 
 
 def closing_frames(sweep: Sweep) -> int:
@@ -44,5 +47,5 @@ def contact_of(
     if not crossing:
         return None
     deepest = max(crossing, key=lambda frame: crossing[frame])
-    first, angle = sweep.theta[[min(crossing), deepest]]
-    return Contact(patches, float(first), crossing[deepest], float(angle))
+    trace = tuple((float(sweep.theta[frame]), crossing[frame]) for frame in sorted(crossing))
+    return Contact(patches, trace[0][0], crossing[deepest], float(sweep.theta[deepest]), trace)

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from popsim.geometry.arrays import FloatArray, IntArray
 from popsim.geometry.rigid import transform
 from popsim.simulation.extents import sweep_range
 from popsim.simulation.sweep import Sweep
@@ -27,15 +28,26 @@ def measured_ranges(sweep: Sweep, theory: Theory) -> dict[str, tuple[Range, Rang
     return {record.id: (sweep_range(sweep, record.patches), theory.ranges.get(record.id)) for record in records}
 
 
-def _poses(sweep: Sweep, theory: Theory, settings: Settings) -> Measure | None:
+def distances(sweep: Sweep, theory: Theory) -> tuple[IntArray, dict[str, FloatArray]]:
+    """Greatest distance of any corner of each patch from its closed form, mm, by its id, shape (k,) each.
+
+    The first array, shape (k,), tells at which of the recorded angles: those within COMPARED_DEGREES.
+    """
     low, high = COMPARED_DEGREES
     inside = np.flatnonzero((sweep.degrees > low - 1e-6) & (sweep.degrees < high + 1e-6))
-    worst = (-1.0, "")
+    away = {}
     for name, poses in theory.poses(sweep.theta[inside]).items():
         stated = transform(poses, sweep.hulls[sweep.index[name]])
-        away = np.linalg.norm(sweep.moved(name)[inside] - stated, axis=-1).max(axis=1)
-        at = int(away.argmax())
-        worst = max(worst, (float(away[at]), f"{name} at {sweep.degrees[inside[at]]:.4g} deg"))
+        away[name] = np.linalg.norm(sweep.moved(name)[inside] - stated, axis=-1).max(axis=1)
+    return inside, away
+
+
+def _poses(sweep: Sweep, theory: Theory, settings: Settings) -> Measure | None:
+    inside, away = distances(sweep, theory)
+    worst = (-1.0, "")
+    for name, distance in away.items():
+        at = int(distance.argmax())
+        worst = max(worst, (float(distance[at]), f"{name} at {sweep.degrees[inside[at]]:.4g} deg"))
     return None if worst[0] < 0 else Measure("distance from closed form", worst[0], settings.pose, where=worst[1])
 
 

@@ -38,3 +38,11 @@ def test_no_file_is_overwritten_without_force_and_none_written_before(
     assert not (tmp_path / "verdict.json").exists()
     assert popsim("verify", box, option, "kept", "--force").returncode == 0
     assert (tmp_path / "kept").read_text() != "mine"
+
+
+def test_a_plot_is_drawn_and_its_format_checked_before_any_work(popsim, tmp_path: Path, box: str) -> None:
+    assert popsim("verify", box, "--plot", "plot.svg").returncode == 0
+    assert ElementTree.parse(tmp_path / "plot.svg").getroot().tag.endswith("svg")
+    done = popsim("verify", box, "--plot", "plot.bmp", "--report", "verdict.json")
+    assert done.returncode == 2 and ".svg" in done.stderr
+    assert not (tmp_path / "verdict.json").exists()

@@ -1,0 +1,84 @@
+"""The figure of what was measured: its curves are where the numbers are."""
+
+from pathlib import Path
+from xml.etree import ElementTree
+
+import numpy as np
+import pytest
+from folding_designs import mismatched_box, overlapping_boxes, plain_box
+from PIL import Image
+
+from popsim.errors import InputError, OutputError
+from popsim.pictures.chart import HEIGHT, LEFT, RIGHT, TOP, WIDTH, Curve, Panel, Stroke, draw, size_of
+from popsim.pictures.plot import PAIRS, write_plot
+from popsim.verification import verify
+
+SVG = "{http://www.w3.org/2000/svg}"
+
+
+def svg_of(tmp_path: Path, design) -> ElementTree.Element:
+    write_plot(tmp_path / "plot.svg", design, verify(design), "box <1>", force=True)
+    return ElementTree.fromstring((tmp_path / "plot.svg").read_text())
+
+
+def words(svg: ElementTree.Element) -> str:
+    return "\n".join(each.text for each in svg.iter(f"{SVG}text"))
+
+
+def test_a_curve_is_drawn_to_scale():
+    curve = Curve(np.array([180.0, 90.0, 0.0]), np.array([1.0, 1e-2, 1e-4]), "#123456")
+    shapes = draw("", [], [Panel("gap", (curve,), (("at most", 1e-3),))])
+    (drawn,) = [shape for shape in shapes if isinstance(shape, Stroke) and shape.colour == "#123456"]
+    across, down = np.array(drawn.points).T
+    assert across == pytest.approx([LEFT, (LEFT + WIDTH - RIGHT) / 2, WIDTH - RIGHT])
+    assert down == pytest.approx([TOP + HEIGHT * k / 6 for k in (1, 3, 5)])
+
+
+def test_what_is_no_number_breaks_the_curve():
+    curve = Curve(np.arange(5.0), np.array([1, 1, np.nan, 1, 1]), "#123456")
+    shapes = draw("", [], [Panel("gap", (curve,), (("at most", 1.0),), logarithmic=False)])
+    drawn = [shape for shape in shapes if isinstance(shape, Stroke) and shape.colour == "#123456"]
+    assert [len(stroke.points) for stroke in drawn] == [2, 2]
+
+
+def test_a_sound_design_shows_all_panels_and_no_crossing(tmp_path):
+    text = words(svg_of(tmp_path, plain_box()))
+    assert "box <1>: passed" in text
+    assert all(part in text for part in ("loop gap", "free motions: 0", "closed forms", "nothing crosses"))
+
+
+def test_the_crossing_is_drawn_where_it_was_measured(tmp_path):
+    design = overlapping_boxes()
+    contact = verify(design).evidence.contacts[0]
+    assert contact.first == contact.trace[0][0]
+    assert contact.depth == max(depth for _, depth in contact.trace)
+    svg = svg_of(tmp_path, design)
+    (line,) = [each for each in svg.iter(f"{SVG}polyline") if each.get("stroke") == PAIRS[0]]
+    assert len(line.get("points").split()) == len(contact.trace)
+    first = float(line.get("points").split(",")[0])
+    expected = LEFT + (180 - np.degrees(contact.first)) / 180 * (WIDTH - LEFT - RIGHT)
+    assert first == pytest.approx(expected, abs=0.01)
+
+
+def test_what_was_not_measured_is_said(tmp_path):
+    text = words(svg_of(tmp_path, mismatched_box(2)))
+    assert all(part in text for part in ("failed", "not measured", "not compared", "not judged"))
+
+
+def test_png_and_svg_are_the_same_every_time(tmp_path):
+    design = plain_box()
+    verdict = verify(design)
+    for suffix in (".png", ".svg"):
+        for name in "ab":
+            write_plot(tmp_path / f"{name}{suffix}", design, verdict, "box", force=False)
+        assert (tmp_path / f"a{suffix}").read_bytes() == (tmp_path / f"b{suffix}").read_bytes()
+    width, height = size_of([Panel("", (), ())] * 4)
+    assert Image.open(tmp_path / "a.png").size == (2 * width, 2 * height)
+    with pytest.raises(OutputError, match="--force"):
+        write_plot(tmp_path / "a.svg", design, verdict, "box", force=False)
+
+
+def test_other_suffixes_are_refused(tmp_path):
+    design = plain_box()
+    with pytest.raises(InputError, match=r"\.png or \.svg"):
+        write_plot(tmp_path / "plot.bmp", design, verify(design), "box", force=False)
