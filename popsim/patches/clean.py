@@ -74,9 +74,14 @@ def cuttable(wanted: "BaseGeometry", room: "Polygon", settings: PatchSettings) -
     return opened(common(closed(wanted, settings.thinnest), room), settings.thinnest)
 
 
-def straightened(shape: "BaseGeometry", face: "Polygon", snap: float) -> "BaseGeometry":
-    """`shape` ending exactly at the edges of its face wherever it reaches less than `snap` beyond them."""
-    return union(common(shape, face), opened(without(shape, face), snap))
+def straightened(shape: "BaseGeometry", face: "Polygon", settings: PatchSettings) -> "BaseGeometry":
+    """`shape` ending exactly at the edges of its face wherever it all but does.
+
+    What reaches less than `snap` beyond them goes, and what is missing along them by less than the tolerance to
+    either side is filled.
+    """
+    missing = opened(without(face, shape), 2 * settings.tolerance)
+    return opened(union(without(face, missing), opened(without(shape, face), settings.snap)), ROUNDING)
 
 
 def simplified(shape: "BaseGeometry", settings: PatchSettings) -> "BaseGeometry":
@@ -88,7 +93,8 @@ def tidy(outline: "Polygon") -> "Polygon":
     """`outline` counterclockwise, without corners that are none."""
     from shapely.geometry.polygon import orient
 
-    return orient(outline.simplify(STRAIGHT))
+    plain = polygons(outline.simplify(STRAIGHT).buffer(0))
+    return orient(plain[0] if plain else outline)
 
 
 def polygons(shape: "BaseGeometry") -> list["Polygon"]:

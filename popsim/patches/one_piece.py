@@ -25,7 +25,7 @@ def finished(piece: Piece, settings: PatchSettings) -> tuple["Polygon", list[str
     Where nothing is left it is the face.
     """
     shape = union(simplified(piece.shape, settings), *piece.held)
-    shape = straightened(shape, piece.face, settings.snap)
+    shape = straightened(shape, piece.face, settings)
     outline, notes = _one_piece(polygons(shape), piece)
     if outline is None:
         return piece.face, [f"{piece.id}: the model does not show on it; it is the plain face"]

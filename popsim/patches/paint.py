@@ -12,6 +12,7 @@ from popsim.geometry.arrays import FloatArray, locked
 from popsim.geometry.surface import Surface
 from popsim.mechanisms import Mechanism, Shape
 from popsim.patches.clean import common, cuttable
+from popsim.patches.corners import clear_corners
 from popsim.patches.crossing import Meeting, uncross
 from popsim.patches.hold import hold
 from popsim.patches.one_piece import finished
@@ -97,6 +98,7 @@ def paint(
     for mechanism in mechanisms:
         box = _territory(mechanism, territories)
         pieces |= {piece.id: piece for piece in pieces_of(mechanism, box, settings)}
+    clear_corners(mechanisms, pieces)
     for piece in pieces.values():
         see(scene, piece, settings)
         piece.shape = cuttable(piece.shape, piece.room, settings)

@@ -32,7 +32,7 @@ class PatchSettings:
     """
 
     dpi: float = 300.0
-    pixel: float = 0.25
+    pixel: float = 0.2
     tolerance: float = 0.3
     thinnest: float = 2.0
     snap: float = 1.5

@@ -20,7 +20,7 @@ SETTINGS = PatchSettings()
 ROOM = box(-100, -100, 100, 100)
 
 
-def drawn(shape, pixel=0.25):
+def drawn(shape, pixel=0.2):
     """A shape as a mask on a grid, and back as a polygon."""
     import shapely
 
@@ -67,13 +67,20 @@ def test_slits_and_small_holes_are_filled_and_large_ones_kept():
 def test_outlines_end_at_their_face_where_they_all_but_do():
     face = box(0, 0, 40, 20)
     shape = union(face, box(0, 20, 40, 20.4), box(10, 20, 20, 26))
-    found = straightened(shape, face, 1.5)
+    found = straightened(shape, face, SETTINGS)
     assert found.symmetric_difference(union(face, box(10, 20, 20, 26))).area < 1e-3
+
+
+def test_what_is_all_but_missing_at_the_edge_of_a_face_is_filled():
+    face = box(0, 0, 40, 20)
+    ragged = Polygon([(0.2, 0), (39.8, 0), (40, 0.2), (40, 20), (15, 20), (15, 12), (5, 12), (5, 19.8), (0, 19.8)])
+    found = straightened(ragged, face, SETTINGS)
+    assert found.symmetric_difference(without(face, box(5, 12, 15, 20))).area < 1e-3
 
 
 def test_a_wedge_beyond_the_face_keeps_its_slope():
     face, wedge = box(0, 0, 40, 20), Polygon([(20, 20), (40, 20), (40, 32)])
-    found = straightened(union(face, wedge), face, 1.5)
+    found = straightened(union(face, wedge), face, SETTINGS)
     assert found.symmetric_difference(union(face, wedge)).area < 3.0
 
 

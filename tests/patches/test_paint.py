@@ -13,6 +13,7 @@ from popsim.design import Card, dump_design
 from popsim.errors import GeometryError
 from popsim.mechanisms import assemble, card_pair
 from popsim.mechanisms.box_fold import BoxFold, Top
+from popsim.mechanisms.step_fold import StepFold
 from popsim.mechanisms.tent_fold import TentFold
 from popsim.patches import PatchSettings, paint
 from popsim.validity import examine
@@ -214,3 +215,19 @@ def test_pairs_show_mirrors_beyond_the_sides_and_cross_nothing():
     assert examine(design).holds
     assert list(crossings(design, closed_form_poses(design, ANGLES), ANGLES, 0.05)) == []
     assert {h.kind for h in design.hinges if h.patches == ("M1.L", "M1.F_L")} == {"glue"}
+
+
+def test_ears_leave_the_corner_to_the_step_that_stands_there():
+    walls = box_fold()
+    corner = next(pair for pair in walls.pairs() if pair.kind.value == "corner" and pair.side.value > 0)
+    step = StepFold("M2", corner, (20, 50), 15, 30)
+    wide = joined(
+        coloured_box((-50, -30, 0), (50, 30, 40)),
+        coloured_box((46, 30, 20), (50, 38, 36)),
+        coloured_box((46, -38, 20), (50, -30, 36)),
+        coloured_box((20, 30, 0), (50, 45, 30)),
+    )
+    design = assemble(CARD, [walls, step], painted([walls, step], wide, prints=False).shapes)
+    assert design.patch_by_id["M1.F_L"].points[:, 1].max() == pytest.approx(30, abs=1e-6)
+    assert design.patch_by_id["M1.F_R"].points[:, 1].min() == pytest.approx(-38, abs=0.4)
+    assert list(crossings(design, closed_form_poses(design, ANGLES), ANGLES, 0.05)) == []
