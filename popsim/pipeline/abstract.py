@@ -1,8 +1,7 @@
-"""Fitting, with a retry for models that are mostly air."""
+"""Fitting of a prepared model."""
 
 from dataclasses import dataclass
 
-from popsim.errors import MeshError
 from popsim.fitting import Fit, FitSettings, Subject, fit, measure_volume
 from popsim.fitting.snap import Planes
 from popsim.pipeline.prepare import Prepared
@@ -12,9 +11,6 @@ POINTS = 20_000
 
 GATHER = 0.5
 """mm; surface within this counts as one plane."""
-
-CLOSINGS = (0, 4, 8)
-"""Cells by which gaps are closed, in turn, until something solid enough for a mechanism is found."""
 
 
 @dataclass(frozen=True)
@@ -40,15 +36,6 @@ def abstract(prepared: Prepared, settings: FitSettings, seed: int) -> Abstractio
     volume = measure_volume(scene, prepared.bounds)
     samples = sample_surface(prepared.surface, POINTS, seed=seed)
     planes = Planes.of(samples.points, samples.normals, samples.area, GATHER)
-    for radius in CLOSINGS:
-        try:
-            filled = volume.closed(radius) if radius else volume
-            found = fit(Subject(scene, prepared.bounds, filled, planes), settings)
-        except MeshError:
-            if radius == CLOSINGS[-1]:
-                raise
-            continue
-        gap = 2 * radius * volume.cell
-        note = f"the model is mostly air: gaps of up to {gap:.0f} mm were taken as solid to find its shape"
-        return Abstraction(found, (note,) if radius else ())
-    raise AssertionError("unreachable")
+    found = fit(Subject(scene, prepared.bounds, volume, planes), settings)
+    note = f"gaps of up to {found.closed_gap:.0f} mm were taken as solid to find the model's shape"
+    return Abstraction(found, (note,) if found.closed_gap else ())

@@ -15,8 +15,8 @@ def territories(mechanisms: Sequence[Mechanism], bounds: FloatArray) -> dict[str
     """Box of space of each mechanism, rows low and high, shape (2, 3), mm, by id.
 
     A mechanism owns everything around its faces up to the model's bounds (2, 3), except where another one
-    begins: a neighbour on the same owner (the middle between them), what stands on its tops, or the corner that
-    a step fills.
+    begins: a neighbour on the same owner (the middle between them), the top it stands on, or the corner that a
+    step fills. What stands on its own tops stays: below it the tops are solid.
     """
     space = np.array([bounds[0] - 10 * ROUND, bounds[1] + 10 * ROUND])
     return {mechanism.id: _territory(mechanism, mechanisms, space) for mechanism in mechanisms}
@@ -35,8 +35,6 @@ def _territory(mechanism: Mechanism, mechanisms: Sequence[Mechanism], space: Flo
         box[1, 2] = faces[1, 2] + ROUND
         box[:, 0] = faces[0, 0] - ROUND, faces[1, 0] + ROUND
     for other in mechanisms:
-        if other.pair.owner == mechanism.id and other.pair.kind is PairKind.OPENING:
-            box[1, 2] = min(box[1, 2], max(faces[1, 2], other.pair.v) + ROUND)
         if other is not mechanism and other.pair.owner == pair.owner and other.pair.kind is pair.kind:
             _part(box, faces, face_box(other))
     return box

@@ -1,0 +1,83 @@
+"""From a model to a folder: what is made, and what is kept back."""
+
+import json
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from popsim.design import Card
+from popsim.geometry.rigid import transform
+from popsim.layout import LayoutSettings, find_paper
+from popsim.mechanisms import assemble, card_pair
+from popsim.mechanisms.box_fold import BoxFold, Top
+from popsim.patches import PatchSettings
+from popsim.pipeline import DesignRun, RunSettings, run_design
+from popsim.pipeline.deliver import UNVERIFIED, deliver
+from popsim.verification import Verdict, verify
+
+QUICK = PatchSettings(dpi=60)
+
+
+@pytest.fixture(scope="module")
+def truck(models: Path) -> DesignRun:
+    return run_design(models / "truck" / "truck.obj", RunSettings(patches=QUICK))
+
+
+@pytest.fixture(scope="module")
+def refusal() -> Verdict:
+    card = Card(x=(-100.0, 100.0), depth=100.0)
+    shearing = BoxFold("M1", card_pair(card), 20.0, (Top(0.0, 40.0, 30.0),), ())
+    return verify(assemble(card, [shearing]))
+
+
+def test_truck_passes_and_looks_like_a_truck(truck: DesignRun) -> None:
+    assert truck.verdict.passed
+    assert truck.fit.likeness.silhouette > 0.85
+    textured = [patch for patch in truck.design.popup_patches if patch.texture]
+    assert len(textured) > len(truck.design.popup_patches) / 2
+
+
+def test_design_says_where_its_model_stands(truck: DesignRun) -> None:
+    to_card = np.array(truck.design.model_to_card)
+    corners = transform(to_card, truck.prepared.model.surface.triangles.reshape(-1, 3))
+    low, high = corners.min(axis=0), corners.max(axis=0)
+    assert low[2] == pytest.approx(0, abs=1e-6)
+    assert (high - low).max() == pytest.approx(150.0, rel=1e-6)
+    assert abs(low[1] + high[1]) < 2.0
+
+
+def test_each_page_fits_a_sheet(truck: DesignRun) -> None:
+    card = truck.design.card
+    page = sorted((card.x[1] - card.x[0], card.depth))
+    assert (np.array(page) <= sorted(LayoutSettings().area(find_paper("A4")))).all()
+
+
+def test_tall_model_is_made_smaller_and_says_so(models: Path) -> None:
+    run = run_design(models / "tower" / "tower.ply", RunSettings(size=400.0, patches=QUICK))
+    assert any("scaled to" in note for note in run.notes)
+    assert run.verdict.passed
+
+
+def test_what_failed_is_not_exported_but_reported(truck: DesignRun, refusal: Verdict, tmp_path: Path) -> None:
+    failed = replace(truck, verdict=refusal)
+    files = deliver(failed, tmp_path / "out", command="popsim design", footer="", force=False)
+    assert [file.name for file in files] == ["report.json"]
+    assert [path.name for path in (tmp_path / "out").iterdir()] == ["report.json"]
+    report = json.loads((tmp_path / "out" / "report.json").read_text())
+    assert report["passed"] is False
+    assert report["layout"] is None
+
+
+def test_unverified_export_marks_every_sheet(truck: DesignRun, refusal: Verdict, tmp_path: Path) -> None:
+    import pypdfium2
+
+    allowed = replace(truck.settings, allow_unverified=True, formats=("pdf",))
+    failed = replace(truck, verdict=refusal, settings=allowed)
+    deliver(failed, tmp_path / "out", command="popsim design", footer="", force=False)
+    document = pypdfium2.PdfDocument(tmp_path / "out" / "sheets.pdf")
+    report = json.loads((tmp_path / "out" / "report.json").read_text())
+    texts = [document[k].get_textpage().get_text_range() for k in range(len(document))]
+    marked = [UNVERIFIED in text for text in texts]
+    assert all(marked[: report["layout"]["sheets"]])
