@@ -50,6 +50,12 @@ def design(
     max_patches: Annotated[int, typer.Option(help="Never make more patches.")] = 120,
     paper: Annotated[str, typer.Option(help="A4, A3, Letter, ... or a size as 300x400mm.")] = "A4",
     style: Annotated[str, typer.Option(help="Line style of the sheets.")] = "origami",
+    format: Annotated[
+        list[str] | None, typer.Option(help="pdf, svg, dxf or fold; may be repeated. By default pdf and svg.")
+    ] = None,
+    two_sided: Annotated[bool, typer.Option("--two-sided", help="Mirrored sheets for the back.")] = False,
+    grain: Annotated[bool, typer.Option("--grain", help="Keep the direction of the paper's grain.")] = False,
+    registration: Annotated[str, typer.Option(help="Marks for a cutting machine: none or silhouette.")] = "none",
     dpi: Annotated[float, typer.Option(help="Resolution of the prints.")] = 300.0,
     seed: Annotated[int, typer.Option(help="Of everything random; the report states it.")] = 0,
     allow_unverified: Annotated[
@@ -63,6 +69,7 @@ def design(
     """
     from popsim.cli.table import print_verdict
     from popsim.fitting import FitSettings
+    from popsim.layout import LayoutSettings
     from popsim.patches import PatchSettings
     from popsim.pipeline import RunSettings, run_design
     from popsim.pipeline.deliver import check_folder, deliver
@@ -78,6 +85,9 @@ def design(
         exact_size=size is not None,
         paper=paper,
         style=style,
+        layout=LayoutSettings(grain=grain, registration=registration),
+        two_sided=two_sided,
+        formats=tuple(dict.fromkeys(format or ("pdf", "svg"))),
         seed=seed,
         allow_unverified=allow_unverified,
     )

@@ -4,12 +4,13 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from popsim.design import Card
-from popsim.errors import InputError, MeshError
+from popsim.errors import GeometryError, InputError, MeshError
 from popsim.fitting.appearance import Appearance, Likeness
-from popsim.fitting.candidate import Candidate
+from popsim.fitting.candidate import Candidate, build
 from popsim.fitting.greedy import Grower, Taste
 from popsim.fitting.mapping import error_cover, mappings
 from popsim.fitting.refit import Climber
+from popsim.fitting.scale import scaled_node
 from popsim.fitting.snap import Planes
 from popsim.fitting.volume import Volume
 from popsim.geometry.arrays import FloatArray
@@ -93,22 +94,43 @@ class Fit:
 
     Attributes
     ----------
-    placements:
-        Each stands on the card or on an earlier one.
+    candidate:
+        Primitives and mechanisms; each stands on the card or on an earlier one.
     likeness:
         How much it looks like the model before contours are cut.
     closed_gap:
         Gaps up to this were taken as solid to find the shape, mm; 0 where none were.
     """
 
-    placements: tuple[Placement, ...]
+    candidate: Candidate
     likeness: Likeness
     closed_gap: float
 
     @property
     def mechanisms(self) -> tuple[Mechanism, ...]:
         """All mechanisms, bases before what stands on them."""
-        return tuple(placement.mechanism for placement in self.placements)
+        return self.candidate.mechanisms
+
+    @property
+    def placements(self) -> tuple[Placement, ...]:
+        """Primitives with their mechanisms, and what else could have represented them."""
+        return tuple(_placement(self.candidate, index) for index in range(len(self.candidate.nodes)))
+
+    def scaled(self, factor: float) -> "Fit":
+        """The same fit `factor` times as large.
+
+        Raises
+        ------
+        GeometryError
+            Nothing is left at that size.
+        """
+        nodes = [scaled_node(node, factor) for node in self.candidate.nodes]
+        old = self.candidate.card
+        card = Card(x=(old.x[0] * factor, old.x[1] * factor), depth=old.depth * factor)
+        candidate = build(card, nodes)
+        if candidate is None:
+            raise GeometryError(f"the fit cannot be made {factor:g} times as large")
+        return Fit(candidate, self.likeness, self.closed_gap * factor)
 
 
 @dataclass(frozen=True, eq=False)
@@ -150,7 +172,7 @@ def fit(subject: Subject, settings: FitSettings | None = None) -> Fit:
     volume = subject.volume
     far = 20 * volume.cell * max(volume.shape)
     empty = Candidate(Card(x=(-far, far), depth=far))
-    found = []
+    found: list[tuple[float, int, Candidate, int]] = []
     for *taste, radius in TASTES:
         filled = volume.closed(radius) if radius else volume
         state = Grower(filled, subject.planes, settings.taste(*taste)).grow(empty)
@@ -161,8 +183,7 @@ def fit(subject: Subject, settings: FitSettings | None = None) -> Fit:
     _, _, start, closed = max(found, key=lambda entry: entry[:2])
     climber = Climber(value, Grower(volume, subject.planes, settings.taste(*SECOND)))
     best = climber.climb(start, BUDGET)
-    placements = tuple(_placement(best, k) for k in range(len(best.nodes)))
-    return Fit(placements, appearance.likeness(best.mechanisms), 2 * closed * volume.cell)
+    return Fit(best, appearance.likeness(best.mechanisms), 2 * closed * volume.cell)
 
 
 def _placement(candidate: Candidate, index: int) -> Placement:

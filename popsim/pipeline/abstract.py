@@ -1,7 +1,5 @@
 """Fitting of a prepared model."""
 
-from dataclasses import dataclass
-
 from popsim.fitting import Fit, FitSettings, Subject, fit, measure_volume
 from popsim.fitting.snap import Planes
 from popsim.pipeline.prepare import Prepared
@@ -13,15 +11,7 @@ GATHER = 0.5
 """mm; surface within this counts as one plane."""
 
 
-@dataclass(frozen=True)
-class Abstraction:
-    """A fit and what had to be assumed for it."""
-
-    fit: Fit
-    notes: tuple[str, ...]
-
-
-def abstract(prepared: Prepared, settings: FitSettings, seed: int) -> Abstraction:
+def abstract(prepared: Prepared, settings: FitSettings, seed: int) -> Fit:
     """Abstract a prepared model into prisms and mechanisms.
 
     Raises
@@ -36,6 +26,4 @@ def abstract(prepared: Prepared, settings: FitSettings, seed: int) -> Abstractio
     volume = measure_volume(scene, prepared.bounds)
     samples = sample_surface(prepared.surface, POINTS, seed=seed)
     planes = Planes.of(samples.points, samples.normals, samples.area, GATHER)
-    found = fit(Subject(scene, prepared.bounds, volume, planes), settings)
-    note = f"gaps of up to {found.closed_gap:.0f} mm were taken as solid to find the model's shape"
-    return Abstraction(found, (note,) if found.closed_gap else ())
+    return fit(Subject(scene, prepared.bounds, volume, planes), settings)

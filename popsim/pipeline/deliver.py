@@ -71,7 +71,7 @@ def _fill(run: DesignRun, folder: Path, command: str, footer: str) -> list[Path]
             made.append(folder / name)
         (folder / "design.json").write_text(dump_design(run.design))
         made.append(folder / "design.json")
-        plan = plan_assembly(lay_out(run.design, paper=run.settings.paper))
+        plan = plan_assembly(lay_out(run.design, paper=run.settings.paper, settings=run.settings.layout))
         layout = plan.layout
         banner = None if run.verdict.passed else UNVERIFIED
         for kind in run.settings.formats:
@@ -84,6 +84,7 @@ def _fill(run: DesignRun, folder: Path, command: str, footer: str) -> list[Path]
                 footer=footer,
                 banner=banner,
                 plan=plan,
+                two_sided=run.settings.two_sided,
             )
         (folder / "assembly.md").write_text(plan.text)
         made.append(folder / "assembly.md")

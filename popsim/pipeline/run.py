@@ -9,10 +9,10 @@ import numpy as np
 from popsim.design import Card, Design, Source
 from popsim.fitting import Fit
 from popsim.geometry.arrays import FloatArray
-from popsim.layout import LayoutSettings, find_paper
+from popsim.layout import find_paper
 from popsim.mechanisms import assemble
 from popsim.patches import Painted, paint
-from popsim.pipeline.abstract import Abstraction, abstract
+from popsim.pipeline.abstract import abstract
 from popsim.pipeline.page import fitting_card
 from popsim.pipeline.prepare import Prepared, prepare
 from popsim.pipeline.settings import RunSettings
@@ -38,7 +38,7 @@ class DesignRun:
     ----------
     settings:
         What was asked for.
-    prepared, abstraction, painted:
+    prepared, fit, painted:
         The model on the card, its prisms and mechanisms, its patches.
     design:
         The result.
@@ -50,16 +50,11 @@ class DesignRun:
 
     settings: RunSettings
     prepared: Prepared
-    abstraction: Abstraction
+    fit: Fit
     painted: Painted
     design: Design
     verdict: Verdict
     notes: tuple[str, ...]
-
-    @property
-    def fit(self) -> Fit:
-        """The prisms and their mechanisms."""
-        return self.abstraction.fit
 
 
 def run_design(
@@ -78,13 +73,12 @@ def run_design(
     progress("aligning the model")
     prepared = prepare(path, settings.stance, settings.size, settings.seed)
     progress("fitting prisms")
-    abstraction = abstract(prepared, settings.fit, settings.seed)
-    factor = 1.0 if settings.exact_size else _shrink(abstraction.fit, settings)
+    fit = abstract(prepared, settings.fit, settings.seed)
+    factor = 1.0 if settings.exact_size else _shrink(fit, settings)
     if factor < 1:
-        prepared = prepared.scaled(factor)
-        abstraction = abstract(prepared, settings.fit, settings.seed)
+        prepared, fit = prepared.scaled(factor), fit.scaled(factor)
     progress("painting patches")
-    painter = _Painter(prepared, abstraction.fit, settings, path)
+    painter = _Painter(prepared, fit, settings, path)
     painted, design = painter.paint(frozenset())
     progress("folding it")
     verdict = verify(design)
@@ -95,14 +89,16 @@ def run_design(
         held = painter.everything if attempt == REPAIRS - 1 else held | painter.in_the_way(verdict)
         painted, design = painter.paint(held)
         verdict = verify(design)
-    notes = [*prepared.model.notes, *prepared.alignment.reasons, *abstraction.notes, *painted.notes]
+    notes = [*prepared.model.notes, *prepared.alignment.reasons, *painted.notes]
+    if fit.closed_gap:
+        notes.append(f"gaps of up to {fit.closed_gap:.0f} mm were taken as solid to find the model's shape")
     if factor < 1:
         notes.append(
             f"scaled to {settings.size * factor:.1f} mm so that each page fits a sheet of {settings.paper}"
         )
     if held:
         notes.append(f"contours cut back to their faces because they got in the way: {', '.join(sorted(held))}")
-    return DesignRun(settings, prepared, abstraction, painted, design, verdict, tuple(notes))
+    return DesignRun(settings, prepared, fit, painted, design, verdict, tuple(notes))
 
 
 class _Painter:
@@ -137,6 +133,6 @@ def _shrink(fit: Fit, settings: RunSettings) -> float:
     """Factor by which the model must shrink for each page to fit a sheet, at most 1."""
     card = fitting_card(fit.mechanisms)
     page = np.array([card.x[1] - card.x[0], card.depth])
-    sheet = np.array(LayoutSettings().area(find_paper(settings.paper)))
+    sheet = np.array(settings.layout.area(find_paper(settings.paper)))
     upright, across = float((sheet / page).min()), float((sheet[::-1] / page).min())
     return min(1.0, CLEARANCE * max(upright, across))

@@ -4,6 +4,7 @@ from dataclasses import dataclass, field
 
 from popsim.errors import InputError
 from popsim.fitting import FitSettings
+from popsim.layout import LayoutSettings
 from popsim.patches import PatchSettings
 from popsim.pipeline.prepare import Stance
 
@@ -26,6 +27,10 @@ class RunSettings:
         Sheet format, e.g. "A4".
     style:
         Line style of the sheets.
+    layout:
+        Margins, flaps, grain, registration marks.
+    two_sided:
+        Print what belongs on the back of the paper on sheets of its own, mirrored.
     formats:
         Sheet formats to write.
     seed:
@@ -41,6 +46,8 @@ class RunSettings:
     exact_size: bool = False
     paper: str = "A4"
     style: str = "origami"
+    layout: LayoutSettings = field(default_factory=LayoutSettings)
+    two_sided: bool = False
     formats: tuple[str, ...] = ("pdf", "svg")
     seed: int = 0
     allow_unverified: bool = False
@@ -53,9 +60,9 @@ class RunSettings:
         """Raise InputError for paper, style or formats that do not exist, before any work is done."""
         from popsim.export.formats import find_writer
         from popsim.export.styles import find_style
-        from popsim.layout import LayoutSettings, find_paper
+        from popsim.layout import find_paper
 
-        LayoutSettings().area(find_paper(self.paper))
+        self.layout.area(find_paper(self.paper))
         find_style(self.style)
         for name in self.formats:
             find_writer(name)

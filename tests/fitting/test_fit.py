@@ -94,3 +94,12 @@ def test_settings_out_of_range_are_refused() -> None:
         FitSettings(detail=1.5)
     with pytest.raises(InputError, match="patches"):
         FitSettings(most_patches=1)
+
+
+def test_fit_at_another_size_is_the_same_shape() -> None:
+    found = fitted(surface(block((-48, -40, 0), (48, 40, 30)), block((-20, -15, 30), (20, 15, 80))))
+    small = found.scaled(0.4)
+    assert types(small) == types(found)
+    for one, other in zip(found.mechanisms, small.mechanisms, strict=True):
+        for plate, reduced in zip(one.plates(), other.plates(), strict=True):
+            np.testing.assert_allclose(reduced.outline, 0.4 * plate.outline, atol=1e-9)
