@@ -3,6 +3,7 @@
 It is the one type that the mesh door makes, the patches are painted from, and the pictures are drawn from.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -67,6 +68,21 @@ class Surface:
         object.__setattr__(self, "material", material)
         if self.colours is not None:
             object.__setattr__(self, "colours", locked(self.colours, (count, 3, 4), "colours"))
+
+    @classmethod
+    def of_parts(cls, parts: Sequence["Surface"]) -> "Surface":
+        """Return the surfaces `parts` as one; at least one, and all with corner colours or none."""
+        first = np.cumsum([0, *(len(part.materials) for part in parts)])
+        colours = [part.colours for part in parts if part.colours is not None]
+        if len(colours) not in (0, len(parts)):
+            raise GeometryError("surfaces with and without corner colours cannot be one; give all of them colours")
+        return cls(
+            np.concatenate([part.triangles for part in parts]),
+            np.concatenate([part.uv for part in parts]),
+            np.concatenate([part.material + start for part, start in zip(parts, first, strict=False)]),
+            tuple(material for part in parts for material in part.materials),
+            np.concatenate(colours) if colours else None,
+        )
 
     @property
     def textured(self) -> bool:

@@ -122,7 +122,7 @@ def _axis(panel: Panel) -> tuple[float, float, list[float]]:
     values = np.concatenate([*drawn, [limit for _, limit in panel.limits]])
     if panel.logarithmic:
         levels = np.log10(np.maximum(values, TINY))
-        low, high = np.floor(levels.min() - 0.3), np.ceil(levels.max() + 0.3)
+        low, high = max(np.floor(levels.min() - 0.3), np.log10(TINY)), np.ceil(levels.max() + 0.3)
         step = max(1, int(np.ceil((high - low) / 5)))
         return float(low), float(high), [10.0**level for level in np.arange(low, high + 0.5, step)]
     high = 1.25 * float(values.max(initial=0.0)) or 1.0
