@@ -67,10 +67,12 @@ def end_room(box: "BoxFold", end: "EndPair", sign: int) -> FloatArray:
     """Room of one patch of an end pair, shape (7, 3).
 
     Its ear beyond the side swings back along the side's other face and sinks by as much as it reaches out, so it
-    starts that high above the base, and stays below the eaves of the top behind it.
+    starts that high above the base, stays below the eaves of the top behind it, and leaves half of the way to a
+    pair that faces the other way to the ears of that one.
     """
     low, high, w = end.low, end.high, box.half_width
-    ear = min(EARS * w, LONGEST_EARS, high - low)
+    behind = [end.facing * (end.x - other.x) / 2 for other in box.end_pairs if other.facing == -end.facing]
+    ear = min([EARS * w, LONGEST_EARS, high - low, *(half for half in behind if half > 0)])
     peak = high + RISE * w
     ring = [(0, low), (w, low), (w + ear, max(low, ear)), (w + ear, high), (w, high), (w, peak)]
     return np.array([[end.x, sign * y, box.pair.v + z] for y, z in [*ring, (0, peak)]])
