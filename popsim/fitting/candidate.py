@@ -6,7 +6,7 @@ from functools import cached_property
 
 from popsim.design import Card
 from popsim.errors import GeometryError
-from popsim.fitting.knobs import settled
+from popsim.fitting.knobs import settled, thinnest
 from popsim.fitting.mapping import mappings
 from popsim.mechanisms import BasePatchPair, Mechanism, Primitive, assemble, card_pair
 from popsim.validity import examine
@@ -23,11 +23,12 @@ class Node:
 
 @dataclass(frozen=True)
 class Candidate:
-    """Nodes, bases before what stands on them, and their mechanisms M1, M2 ..."""
+    """Nodes, bases before what stands on them, their mechanisms M1, M2 ..., and the least extent allowed, mm."""
 
     card: Card
     nodes: tuple[Node, ...] = ()
     mechanisms: tuple[Mechanism, ...] = ()
+    least: float = 0.0
 
     @cached_property
     def patches(self) -> int:
@@ -48,12 +49,12 @@ class Candidate:
 
     def with_node(self, node: Node) -> "Candidate | None":
         """The candidate with one more node, or None where no mechanism can represent it."""
-        return build(self.card, (*self.nodes, node))
+        return build(self.card, (*self.nodes, node), self.least)
 
     def with_primitive(self, index: int, primitive: Primitive) -> "Candidate | None":
         """The candidate with another primitive at a node, and all that stands on it moved along."""
         changed = Node(primitive, self.nodes[index].pair, self.nodes[index].parent)
-        return build(self.card, (*self.nodes[:index], changed, *self.nodes[index + 1 :]))
+        return build(self.card, (*self.nodes[:index], changed, *self.nodes[index + 1 :]), self.least)
 
     def without(self, index: int) -> "Candidate | None":
         """The candidate without a node and all that stands on it."""
@@ -65,11 +66,14 @@ class Candidate:
         place = {old: new for new, old in enumerate(kept)}
         nodes = [self.nodes[k] for k in kept]
         moved = [Node(n.primitive, n.pair, None if n.parent is None else place[n.parent]) for n in nodes]
-        return build(self.card, moved)
+        return build(self.card, moved, self.least)
 
 
-def build(card: Card, nodes: Sequence[Node]) -> Candidate | None:
-    """Build the mechanisms of nodes, each on the pair of its parent that is nearest to its own."""
+def build(card: Card, nodes: Sequence[Node], least: float) -> Candidate | None:
+    """Build the mechanisms of nodes, each on the pair of its parent that is nearest to its own.
+
+    None where a node finds no pair, is thinner than `least` mm, or no mechanism can represent it.
+    """
     done: list[Node] = []
     mechanisms: list[Mechanism] = []
     for index, node in enumerate(nodes):
@@ -81,12 +85,14 @@ def build(card: Card, nodes: Sequence[Node]) -> Candidate | None:
             primitive = settled(node.primitive, node.pair, pair)
         except GeometryError:
             return None
+        if thinnest(primitive) < least:
+            return None
         mapped = mappings(primitive, pair, f"M{index + 1}")
         if not mapped:
             return None
         done.append(Node(primitive, pair, node.parent))
         mechanisms.append(mapped[0].mechanism)
-    return Candidate(card, tuple(done), tuple(mechanisms))
+    return Candidate(card, tuple(done), tuple(mechanisms), least)
 
 
 def _nearest(pair: BasePatchPair, offered: Sequence[BasePatchPair]) -> BasePatchPair | None:

@@ -1,6 +1,7 @@
 """The borders of a primitive as numbers: what snapping and refitting turn."""
 
 from collections.abc import Sequence
+from itertools import pairwise
 
 from popsim.mechanisms import BasePatchPair, PairKind, Primitive, PrismRow, RectangularPrism, TriangularPrism
 
@@ -43,6 +44,16 @@ def turned(primitive: Primitive, values: Sequence[float]) -> Primitive:
     near = min(abs(primitive.low[1]), abs(primitive.high[1]))
     y0, y1 = sorted((sign * near, sign * far))
     return RectangularPrism((x0, y0, z0), (x1, y1, z1), primitive.turned)
+
+
+def thinnest(primitive: Primitive) -> float:
+    """The least extent of a primitive, or of a step between two prisms of a row, mm."""
+    if isinstance(primitive, PrismRow):
+        heights = [height for _, _, height in primitive.tops]
+        lengths = [x1 - x0 for x0, x1, _ in primitive.tops]
+        steps = [abs(b - a) for a, b in pairwise(heights)]
+        return min(2 * primitive.half_width, *lengths, *heights, *steps)
+    return min(high - low for low, high in zip(primitive.low, primitive.high, strict=True))
 
 
 def limited(knob: Knob, pair: BasePatchPair) -> float:
