@@ -1,0 +1,49 @@
+"""Tables of what the benchmarks found, printed at the end: ratios and exponents count, times are one machine's."""
+
+import time
+from collections.abc import Callable, Sequence
+
+import numpy as np
+import pytest
+
+Report = Callable[[str, Sequence[str], Sequence[Sequence[object]]], None]
+
+TABLES = pytest.StashKey[list[str]]()
+
+
+@pytest.fixture
+def report(pytestconfig: pytest.Config) -> Report:
+    """Take a title, column heads and rows for the summary."""
+
+    def add(title: str, heads: Sequence[str], rows: Sequence[Sequence[object]]) -> None:
+        table = [list(heads), *([_cell(value) for value in row] for row in rows)]
+        widths = [max(len(row[k]) for row in table) for k in range(len(heads))]
+        lines = ["  ".join(f"{cell:>{width}}" for cell, width in zip(row, widths, strict=True)) for row in table]
+        pytestconfig.stash.setdefault(TABLES, []).append("\n".join([title, *lines]))
+
+    return add
+
+
+def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter, config: pytest.Config) -> None:
+    """Print the tables."""
+    for table in config.stash.get(TABLES, []):
+        terminalreporter.write_line("\n" + table)
+
+
+def cpu_seconds(work: Callable[[], object], rounds: int = 3) -> float:
+    """Least processor time of some rounds, s: other programs do not count."""
+    times = []
+    for _ in range(rounds):
+        start = time.process_time()
+        work()
+        times.append(time.process_time() - start)
+    return min(times)
+
+
+def exponent(sizes: Sequence[float], costs: Sequence[float]) -> float:
+    """Power with which the costs grow with the sizes, by least squares of the logarithms."""
+    return float(np.polyfit(np.log(sizes), np.log(costs), 1)[0])
+
+
+def _cell(value: object) -> str:
+    return f"{value:.3g}" if isinstance(value, float) else str(value)

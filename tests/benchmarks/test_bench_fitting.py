@@ -1,0 +1,34 @@
+"""What fitting costs with the number of points that stand for the model."""
+
+from pathlib import Path
+
+from conftest import Report, cpu_seconds, exponent
+
+from popsim.fitting import Subject, fit, measure_volume
+from popsim.fitting.snap import Planes
+from popsim.mesh.sampling import sample_surface
+from popsim.pipeline.abstract import GATHER
+from popsim.pipeline.prepare import Stance, prepare
+from popsim.rendering.ray_scene import RayScene
+
+POINTS = (5_000, 20_000, 80_000)
+
+
+def test_fitting(models: Path, report: Report) -> None:
+    prepared = prepare(models / "truck" / "truck.obj", Stance(), 150.0, seed=0)
+    scene = RayScene(prepared.surface.bare())
+    volume = measure_volume(scene, prepared.bounds)
+    rows, costs = [], []
+    for count in POINTS:
+
+        def planes(count: int = count) -> Planes:
+            samples = sample_surface(prepared.surface, count, seed=0)
+            return Planes.of(samples.points, samples.normals, samples.area, GATHER)
+
+        subject = Subject(scene, prepared.bounds, volume, planes())
+        sampling = cpu_seconds(planes, rounds=1)
+        fitting = cpu_seconds(lambda subject=subject: fit(subject), rounds=1)
+        rows.append((count, sampling, fitting, sampling + fitting))
+        costs.append(sampling + fitting)
+    power = exponent(POINTS, costs)
+    report(f"fitting the truck, exponent {power:.2f}", ("points", "sampling, s", "fitting, s", "both, s"), rows)
