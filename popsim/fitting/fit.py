@@ -1,6 +1,7 @@
 """The abstraction of a model: several greedy runs, the best of them refitted."""
 
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from popsim.design import Card
@@ -118,6 +119,14 @@ class Fit:
     def placements(self) -> tuple[Placement, ...]:
         """Primitives with their mechanisms, and what else could have represented them."""
         return tuple(_placement(self.candidate, index) for index in range(len(self.candidate.nodes)))
+
+    def without(self, names: Sequence[str]) -> "Fit | None":
+        """The fit without some mechanisms and what stands on them, or None where nothing is left."""
+        candidate: Candidate | None = self.candidate
+        for index in reversed(range(len(self.mechanisms))):
+            if self.mechanisms[index].id in names and candidate is not None:
+                candidate = candidate.without(index)
+        return None if candidate is None or not candidate.nodes else replace(self, candidate=candidate)
 
     def scaled(self, factor: float) -> "Fit":
         """The same fit `factor` times as large.

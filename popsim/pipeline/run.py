@@ -1,30 +1,26 @@
 """The seven stages, one after another."""
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 
-from popsim.design import Card, Design, Source
+from popsim.design import Card, Design
 from popsim.fitting import Fit
-from popsim.geometry.arrays import FloatArray
 from popsim.layout import find_paper
-from popsim.mechanisms import assemble
-from popsim.patches import Painted, paint
+from popsim.patches import Painted
 from popsim.pipeline.abstract import abstract
-from popsim.pipeline.page import fitting_card
+from popsim.pipeline.painter import Painter
 from popsim.pipeline.prepare import Prepared, prepare
 from popsim.pipeline.settings import RunSettings
-from popsim.pipeline.territory import territories
-from popsim.rendering.ray_scene import RayScene
 from popsim.verification import Verdict, verify
 
 Progress = Callable[[str], None]
 """Called with the name of each stage as it starts."""
 
-REPAIRS = 4
-"""How often contours that got in the way are cut back to their faces before all of them are."""
+SPARSE = 0.3
+"""Share of its faces on which a mechanism must show the model to be worth its paper."""
 
 CLEARANCE = 0.97
 """Pages are made to use this much of a sheet, so that rounding up still fits."""
@@ -74,65 +70,59 @@ def run_design(
     prepared = prepare(path, settings.stance, settings.size, settings.seed)
     progress("fitting prisms")
     fit = abstract(prepared, settings.fit, settings.seed)
-    factor = 1.0 if settings.exact_size else _shrink(fit, settings)
-    if factor < 1:
-        prepared, fit = prepared.scaled(factor), fit.scaled(factor)
-    progress("painting patches")
-    painter = _Painter(prepared, fit, settings, path)
-    painted, design = painter.paint(frozenset())
+    progress("cutting patches")
+    painter, design, notes = _sized(prepared, fit, settings, path)
     progress("folding it")
-    verdict = verify(design)
-    held: frozenset[str] = frozenset()
-    for attempt in range(REPAIRS):
-        if verdict.passed:
-            break
-        held = painter.everything if attempt == REPAIRS - 1 else held | painter.in_the_way(verdict)
-        painted, design = painter.paint(held)
-        verdict = verify(design)
-    notes = [*prepared.model.notes, *prepared.alignment.reasons, *painted.notes]
+    held, verdict = painter.verified(design)
+    progress("painting patches")
+    painted, design = painter.make(held, prints=True)
+    if _plain(design) != _plain(verdict.evidence.sweep.design):
+        verdict = verify(design)  # prints do not move outlines; should they ever, the exported ones are judged
+    prepared, fit = painter.prepared, painter.fit
+    notes = [*prepared.model.notes, *prepared.alignment.reasons, *painted.notes, *notes]
     if fit.closed_gap:
         notes.append(f"gaps of up to {fit.closed_gap:.0f} mm were taken as solid to find the model's shape")
-    if factor < 1:
-        notes.append(
-            f"scaled to {settings.size * factor:.1f} mm so that each page fits a sheet of {settings.paper}"
-        )
     if held:
         notes.append(f"contours cut back to their faces because they got in the way: {', '.join(sorted(held))}")
     return DesignRun(settings, prepared, fit, painted, design, verdict, tuple(notes))
 
 
-class _Painter:
-    """Paints the patches of a fit, holding some of them to their faces."""
-
-    def __init__(self, prepared: Prepared, fit: Fit, settings: RunSettings, path: Path) -> None:
-        self.prepared, self.fit, self.settings, self.path = prepared, fit, settings, path
-        self.scene = RayScene(prepared.surface)
-        self.territories = territories(fit.mechanisms, prepared.bounds)
-        self.everything = frozenset(m.patch_id(p.role) for m in fit.mechanisms for p in m.plates())
-
-    def paint(self, held: frozenset[str]) -> tuple[Painted, Design]:
-        """Patches and design with the patches in `held` kept within their faces."""
-        chosen = replace(self.settings.patches, within_face=held)
-        painted = paint(self.fit.mechanisms, self.scene, self.territories, chosen)
-        outlines: dict[str, FloatArray] = {name: shape.outline for name, shape in painted.shapes.items()}
-        return painted, self._assembled(fitting_card(self.fit.mechanisms, outlines), painted)
-
-    def in_the_way(self, verdict: Verdict) -> frozenset[str]:
-        """Patches that verification found in collision; all of them if it names none."""
-        found = {patch for contact in verdict.evidence.contacts for patch in contact.patches}
-        return frozenset(found) & self.everything or self.everything
-
-    def _assembled(self, card: Card, painted: Painted) -> Design:
-        model = self.prepared.model
-        rows = tuple((float(a), float(b), float(c), float(d)) for a, b, c, d in self.prepared.to_card)
-        source = Source(file=self.path.name, sha256=model.sha256)
-        return assemble(card, self.fit.mechanisms, painted.shapes, source=source, model_to_card=rows)
+def _plain(design: Design) -> Design:
+    """The design without its prints."""
+    bare = [patch.model_copy(update={"texture": None, "texture_frame": None}) for patch in design.patches]
+    return design.model_copy(update={"patches": tuple(bare)})
 
 
-def _shrink(fit: Fit, settings: RunSettings) -> float:
-    """Factor by which the model must shrink for each page to fit a sheet, at most 1."""
-    card = fitting_card(fit.mechanisms)
+def _sized(prepared: Prepared, fit: Fit, settings: RunSettings, path: Path) -> tuple[Painter, Design, list[str]]:
+    """A painter whose pages fit a sheet, its first design, and what had to be changed for it.
+
+    What shows almost nothing of the model once its contours are cut is left out.
+    """
+    notes = []
+    painter = Painter(prepared, fit, settings.patches, path)
+    painted, design = painter.make(frozenset(), prints=False)
+    sparse = [name for name, share in painted.coverage.items() if share < SPARSE]
+    kept = fit.without(sparse)
+    if kept is not None and kept.mechanisms != fit.mechanisms:
+        fit = kept
+        notes.append(f"{len(sparse)} of the mechanisms would have shown almost nothing of the model: left out")
+        painter = Painter(prepared, fit, settings.patches, path)
+        painted, design = painter.make(frozenset(), prints=False)
+    factor = 1.0
+    while not settings.exact_size and (shrink := _shrink(design.card, settings)) < 1:
+        factor *= shrink
+        prepared, fit = prepared.scaled(shrink), fit.scaled(shrink)
+        painter = Painter(prepared, fit, settings.patches, path)
+        painted, design = painter.make(frozenset(), prints=False)
+    if factor < 1:
+        size = f"{settings.size * factor:.1f} mm"
+        notes.append(f"scaled to {size} so that each page fits a sheet of {settings.paper}")
+    return painter, design, notes
+
+
+def _shrink(card: Card, settings: RunSettings) -> float:
+    """Factor by which a card must shrink for each page to fit a sheet; 1 where it fits."""
     page = np.array([card.x[1] - card.x[0], card.depth])
     sheet = np.array(settings.layout.area(find_paper(settings.paper)))
-    upright, across = float((sheet / page).min()), float((sheet[::-1] / page).min())
-    return min(1.0, CLEARANCE * max(upright, across))
+    room = max(float((sheet / page).min()), float((sheet[::-1] / page).min()))
+    return 1.0 if room >= 1 else CLEARANCE * room

@@ -1,0 +1,63 @@
+"""Cutting and painting the patches of a fit, and cutting back what verification found in the way."""
+
+from dataclasses import replace
+from pathlib import Path
+
+from popsim.design import Design, Source
+from popsim.fitting import Fit
+from popsim.geometry.arrays import FloatArray
+from popsim.mechanisms import assemble
+from popsim.patches import Painted, PatchSettings, paint
+from popsim.pipeline.page import fitting_card
+from popsim.pipeline.prepare import Prepared
+from popsim.pipeline.territory import territories
+from popsim.rendering.ray_scene import RayScene
+from popsim.verification import Verdict, verify
+
+REPAIRS = 4
+"""How often contours are cut back, the last time all of them."""
+
+Held = frozenset[str]
+"""Ids of patches that are kept within their faces."""
+
+
+class Painter:
+    """Makes designs of one fit."""
+
+    def __init__(self, prepared: Prepared, fit: Fit, settings: PatchSettings, path: Path) -> None:
+        self.prepared, self.fit, self.settings, self.path = prepared, fit, settings, path
+        self.scene = RayScene(prepared.surface)
+        self.territories = territories(fit.mechanisms, prepared.bounds)
+        self.everything: Held = frozenset(m.patch_id(p.role) for m in fit.mechanisms for p in m.plates())
+
+    def make(self, held: Held, *, prints: bool) -> tuple[Painted, Design]:
+        """Patches and design with the patches in `held` kept within their faces, with or without prints."""
+        chosen = replace(self.settings, within_face=held)
+        painted = paint(self.fit.mechanisms, self.scene, self.territories, chosen, prints=prints)
+        outlines: dict[str, FloatArray] = {name: shape.outline for name, shape in painted.shapes.items()}
+        a, b, c, d = (tuple(float(value) for value in row) for row in self.prepared.to_card)
+        design = assemble(
+            fitting_card(self.fit.mechanisms, outlines),
+            self.fit.mechanisms,
+            painted.shapes,
+            source=Source(file=self.path.name, sha256=self.prepared.model.sha256),
+            model_to_card=(a, b, c, d),
+        )
+        return painted, design
+
+    def verified(self, design: Design) -> tuple[Held, Verdict]:
+        """The patches that must be held for the design to pass, and the last verdict."""
+        held: Held = frozenset()
+        verdict = verify(design)
+        for attempt in range(REPAIRS):
+            more = self.everything if attempt == REPAIRS - 1 else held | self._in_the_way(verdict)
+            if verdict.passed or more == held:
+                break
+            held = more
+            verdict = verify(self.make(held, prints=False)[1])
+        return held, verdict
+
+    def _in_the_way(self, verdict: Verdict) -> Held:
+        """Patches that verification found in collision; all of them if it names none."""
+        found = {patch for contact in verdict.evidence.contacts for patch in contact.patches}
+        return frozenset(found) & self.everything or self.everything
