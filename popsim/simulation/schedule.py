@@ -5,14 +5,26 @@ from functools import cached_property
 
 import numpy as np
 
-from popsim.geometry.arrays import FloatArray, IntArray
+from popsim.geometry.arrays import BoolArray, FloatArray, IntArray
 from popsim.geometry.frame import OPEN
 from popsim.simulation.solver import END_DEGREES, Pacing
+
+STOPS = 2.0
+"""Degrees; at most this far apart the pages stop and the structure settles, whatever is recorded."""
+
+END_STOPS = 1.0
+"""The same within END_DEGREES of either end."""
+
+SAME = 1e-6
+"""Degrees; stops nearer to each other are one."""
 
 
 @dataclass(frozen=True)
 class Schedule:
-    """Closing from 180 to 0 degrees and opening again, in `count` equal recorded angles each way."""
+    """Closing from 180 to 0 degrees and opening again, in `count` equal recorded angles each way.
+
+    How finely the card is driven depends on the fold angle alone, not on how many angles are recorded.
+    """
 
     count: int
     pacing: Pacing
@@ -20,33 +32,62 @@ class Schedule:
     @cached_property
     def recorded(self) -> FloatArray:
         """Recorded fold angles, rad, shape (2 count + 1,); the first and the last are fully open."""
-        closing = np.linspace(OPEN, 0.0, self.count + 1)
-        return np.concatenate([closing, closing[-2::-1]])
+        return _there_and_back(np.linspace(OPEN, 0.0, self.count + 1))
+
+    @cached_property
+    def stops(self) -> FloatArray:
+        """Fold angles at which the pages are held, the recorded ones among them, rad, shape (m,)."""
+        borders = np.linspace(OPEN, 0.0, self.count + 1)
+        for end in np.radians([180 - END_DEGREES, END_DEGREES]):
+            if np.abs(borders - end).min() > np.radians(SAME):
+                borders = np.sort(np.append(borders, end))[::-1]
+        apart = np.radians(np.where(_at_end(borders[:-1], borders[1:]), END_STOPS, STOPS))
+        parts = np.asarray(np.ceil((borders[:-1] - borders[1:]) / apart - SAME), dtype=np.int64)
+        return _there_and_back(np.append(OPEN, _evenly(borders, parts)))
+
+    @cached_property
+    def is_recorded(self) -> BoolArray:
+        """Which of the stops are recorded, shape (m,)."""
+        return np.isin(self.stops, self.recorded)
 
     @cached_property
     def driven(self) -> FloatArray:
         """Fold angle of the pages at each driven step, rad, shape (n,)."""
-        legs = [
-            start + (end - start) * np.arange(1, steps + 1) / steps
-            for start, end, steps in zip(self.recorded[:-1], self.recorded[1:], self.leg_steps, strict=True)
-        ]
-        return np.concatenate(legs)
+        return _evenly(self.stops, self.leg_steps)
 
     @cached_property
     def leg_steps(self) -> IntArray:
-        """Driven steps before each recorded angle but the first, shape (2 count,)."""
-        near = np.minimum(self.recorded, OPEN - self.recorded)
-        at_end = np.minimum(near[:-1], near[1:]) < np.radians(END_DEGREES) - 1e-9
-        return np.where(at_end, self.pacing.end_steps, self.pacing.steps)
+        """Driven steps before each stop but the first, shape (m - 1,)."""
+        high, low = np.maximum(self.stops[:-1], self.stops[1:]), np.minimum(self.stops[:-1], self.stops[1:])
+        density = np.where(_at_end(high, low), self.pacing.end_steps, self.pacing.steps)
+        return np.asarray(np.ceil(np.degrees(high - low) * density - SAME), dtype=np.int64)
 
     @cached_property
     def settle_steps(self) -> IntArray:
-        """Steps with the pages held at each recorded angle, shape (2 count + 1,)."""
-        near = np.minimum(self.recorded, OPEN - self.recorded)
-        at_end = near < np.radians(END_DEGREES) - 1e-9
+        """Steps with the pages held at each stop, shape (m,)."""
+        at_end = np.minimum(self.stops, OPEN - self.stops) < np.radians(END_DEGREES - SAME)
         return np.where(at_end, self.pacing.end_settle, self.pacing.settle)
 
     @property
     def total_steps(self) -> int:
         """All integration steps, settling included."""
         return int(self.leg_steps.sum() + self.settle_steps.sum())
+
+
+def _at_end(high: FloatArray, low: FloatArray) -> BoolArray:
+    """Whether legs between fold angles lie within END_DEGREES of either end."""
+    end = np.radians(END_DEGREES + SAME)
+    return np.asarray((high < end) | (low > OPEN - end))
+
+
+def _evenly(borders: FloatArray, parts: IntArray) -> FloatArray:
+    """The leg before each border but the first in so many equal parts: their ends, the border itself exactly."""
+    last = np.cumsum(parts)
+    number = np.arange(1, last[-1] + 1) - np.repeat(last - parts, parts)
+    angles = np.repeat(borders[:-1], parts) + np.repeat(np.diff(borders) / parts, parts) * number
+    angles[last - 1] = borders[1:]
+    return np.asarray(angles)
+
+
+def _there_and_back(closing: FloatArray) -> FloatArray:
+    return np.concatenate([closing, closing[-2::-1]])

@@ -21,13 +21,13 @@ class Pacing:
     Attributes
     ----------
     steps:
-        Steps per recorded angle.
+        Steps per degree.
     end_steps:
-        Steps per recorded angle within END of the fully open and the closed card, where poses are singular.
+        Steps per degree within END_DEGREES of the fully open and the closed card, where poses are singular.
     settle:
-        Steps at each recorded angle with the pages held and velocities set to zero.
+        Steps at each stop with the pages held and velocities set to zero.
     end_settle:
-        The same, within END of either end.
+        The same, within END_DEGREES of either end.
     damping:
         Joint damping over the inertia of the patch, 1/s.
     impedance:

@@ -87,16 +87,17 @@ def fold(rig: Rig, count: int, pacing: Pacing) -> Sweep:
     turns = page_quaternions(schedule.driven)
     rig.settle(schedule.settle_steps[0])
     states = [rig.state()]
-    driven = 0
-    for steps, rest in zip(schedule.leg_steps, schedule.settle_steps[1:], strict=True):
+    driven, closed = 0, len(schedule.leg_steps) // 2 - 1
+    for leg, (steps, rest) in enumerate(zip(schedule.leg_steps, schedule.settle_steps[1:], strict=True)):
         for turn in turns[driven : driven + steps]:
             rig.hold(turn)
             rig.step()
         driven += steps
-        if len(states) == count:
+        if leg == closed:
             rig.press(PRESS_STEPS)
         rig.settle(rest)
-        states.append(rig.state())
+        if schedule.is_recorded[leg + 1]:
+            states.append(rig.state())
     return _recorded(rig, schedule.recorded, np.array(states))
 
 

@@ -84,3 +84,22 @@ def test_schedule_records_both_ways_and_slows_down_at_the_ends():
     assert len(schedule.driven) == schedule.leg_steps.sum()
     assert schedule.driven[-1] == pytest.approx(np.pi)
     assert schedule.leg_steps[0] == BRISK.end_steps > schedule.leg_steps[90] == BRISK.steps
+
+
+@pytest.mark.parametrize("angles", [7, 20, 45, 60, 100, 360])
+def test_how_finely_the_card_is_driven_does_not_depend_on_what_is_recorded(angles):
+    schedule, usual = Schedule(angles, BRISK), Schedule(180, BRISK)
+    assert np.array_equal(schedule.stops[schedule.is_recorded], schedule.recorded)
+    assert schedule.total_steps > 0.85 * usual.total_steps
+    strides = np.abs(np.diff(np.degrees(schedule.driven), prepend=180))
+    at_end = np.abs(90 - np.degrees(schedule.driven)) > 87 + 1e-6
+    assert strides.max() < 1 / BRISK.steps + 1e-9
+    assert strides[at_end].max() < 1 / BRISK.end_steps + 1e-9
+
+
+@pytest.mark.parametrize("angles", [7, 45, 60])
+def test_few_recorded_angles_are_as_exact_as_many(angles):
+    few, many = (fold_design(layered()[0], count) for count in (angles, 180))
+    assert few.gaps.largest < 1e-6
+    shared = few.sweep.poses[[0, angles, -1]], many.sweep.poses[[0, 180, -1]]
+    assert shared[0] == pytest.approx(shared[1], abs=1e-6)
