@@ -7,7 +7,7 @@ import numpy as np
 from popsim.fitting.volume import Volume
 from popsim.geometry.arrays import BoolArray, FloatArray
 from popsim.geometry.frame import Side
-from popsim.mechanisms import BasePatchPair, PairKind, Primitive, PrismRow, TriangularPrism
+from popsim.mechanisms import BasePatchPair, PairKind, Primitive, PrismRow, RectangularPrism, TriangularPrism
 
 BLOCKED = -1e4
 """Price of a cell that another prism holds: too high to be paid."""
@@ -36,9 +36,12 @@ class Field:
     def _within(self, prism: Primitive, *ranges: tuple[int, int]) -> BoolArray:
         """Which cells of a block lie in a prism, by their centres."""
         x, u, z = np.meshgrid(*(np.arange(*r) + 0.5 for r in ranges), indexing="ij")
+        cell = self.volume.cell
+        if isinstance(prism, RectangularPrism) and prism.turned:
+            middle = (prism.low[0] + prism.high[0]) / 2
+            return np.asarray(np.abs(self.volume.x0 + x * cell - middle) + u * cell <= prism.high[1])
         if not isinstance(prism, TriangularPrism):
             return np.ones(x.shape, dtype=bool)
-        cell = self.volume.cell
         half = prism.high[1]
         if prism.edges == "x":
             share = (z * cell - prism.low[2]) / (prism.high[2] - prism.low[2])

@@ -28,7 +28,8 @@ UNLIKE, LIKE = 0.015, 0.00015
 
 TASTES = ((1.0, 0.8, 0.6, 0), (0.4, 0.8, 0.6, 0), (0.5, 1.2, 0.9, 0), (0.4, 0.8, 0.3, 5))
 """Greedy runs: factor on the price of patches, price of empty cells, trust in what follows, and by how many cells
-gaps are closed first: what a lattice or open arches enclose then counts as solid."""
+gaps are closed first: what a lattice or open arches enclose then counts as solid. The first runs twice: once with
+any prism to start with, and, as the others do, with one that carries others."""
 
 SECOND = (0.1, 0.8, 0.3)
 """The same for prisms that are added after refitting, where only the likeness decides."""
@@ -61,10 +62,10 @@ class FitSettings:
         if self.most_patches < 2:
             raise InputError(f"no pop-up has fewer than 2 patches; most patches is {self.most_patches}")
 
-    def taste(self, factor: float, empty: float, trust: float) -> Taste:
-        """What a greedy run values: `factor` on the price of patches, price of empty cells, trust."""
+    def taste(self, factor: float, empty: float, trust: float, *, founded: bool = False) -> Taste:
+        """What a greedy run values: `factor` on the price of patches, price of empty cells, trust, and so on."""
         price = float(DEAREST * (CHEAPEST / DEAREST) ** self.detail)
-        return Taste(factor * price, empty, trust, self.most_patches)
+        return Taste(factor * price, empty, trust, self.most_patches, founded)
 
     @property
     def patch_likeness(self) -> float:
@@ -186,9 +187,9 @@ def fit(subject: Subject, settings: FitSettings | None = None) -> Fit:
     far = 20 * float(size.max())
     empty = Candidate(Card(x=(-far, far), depth=far), least=THINNEST * float(size.max()))
     found: list[tuple[float, int, Candidate, int]] = []
-    for *taste, radius in TASTES:
+    for founded, (*taste, radius) in [(False, TASTES[0]), *((True, taste) for taste in TASTES)]:
         filled = volume.closed(radius) if radius else volume
-        state = Grower(filled, subject.planes, settings.taste(*taste)).grow(empty)
+        state = Grower(filled, subject.planes, settings.taste(*taste, founded=founded)).grow(empty)
         if state.nodes:
             found.append((value(state), -len(found), state, radius))
     if not found:

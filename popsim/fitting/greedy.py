@@ -9,12 +9,14 @@ from popsim.errors import GeometryError
 from popsim.fitting.candidate import Candidate, Node
 from popsim.fitting.corners import propose_corner
 from popsim.fitting.field import Field, Spot, spot_on
+from popsim.fitting.knobs import simplified
 from popsim.fitting.mapping import Mapped, mappings
 from popsim.fitting.proposal import Prices, Proposal
 from popsim.fitting.roofs import propose_roof
 from popsim.fitting.rows import propose_row
 from popsim.fitting.snap import Planes, snapped
 from popsim.fitting.volume import Volume
+from popsim.fitting.wedges import propose_wedges
 from popsim.geometry.arrays import BoolArray
 from popsim.mechanisms import BasePatchPair, PairKind, Primitive
 
@@ -40,12 +42,15 @@ class Taste:
         How much of what could later stand on a top counts when its height is chosen, 0..1.
     most_patches:
         No prism is placed that would lead to more.
+    founded:
+        Whether the first prism must carry others: roofs and wedges gain much at once, and end it there.
     """
 
     price: float
     empty: float
     trust: float
     most_patches: int
+    founded: bool = False
 
 
 class Grower:
@@ -66,7 +71,7 @@ class Grower:
         """The state with one more prism, the most profitable first; not all of them need be valid."""
         for _, node in self._ranked(state):
             grown = state.with_node(node)
-            if grown is not None and grown.patches <= self.taste.most_patches:
+            if grown is not None and self._allowed(grown):
                 yield grown
 
     def _best(self, state: Candidate, refused: set[tuple[BasePatchPair, type]]) -> Candidate | None:
@@ -77,10 +82,15 @@ class Grower:
             if (node.pair, type(node.primitive)) in refused:
                 continue
             grown = state.with_node(node)
-            if grown is not None and grown.patches <= self.taste.most_patches and grown.holds():
+            if grown is not None and self._allowed(grown) and grown.holds():
                 return grown
             refused.add((node.pair, type(node.primitive)))
         return None
+
+    def _allowed(self, state: Candidate) -> bool:
+        """Whether a state is to this taste."""
+        rests = not self.taste.founded or bool(state.mechanisms[0].pairs())
+        return rests and state.patches <= self.taste.most_patches
 
     def _ranked(self, state: Candidate) -> list[tuple[float, Node]]:
         """All prisms that could be placed next with their profits in cells, the best first."""
@@ -91,7 +101,7 @@ class Grower:
         options = []
         for pair, parent in state.pairs:
             for proposal in self._proposals(field, state, pair, Prices(price, self.taste.trust)):
-                primitive = self._snapped(proposal)
+                primitive = simplified(self._snapped(proposal), state.least)
                 mapped = mappings(primitive, pair, "M")
                 if mapped:
                     options.append((_profit(proposal, mapped[0], price), Node(primitive, pair, parent)))
@@ -106,10 +116,12 @@ class Grower:
         seen = spot.gain.tobytes() + (b"" if room is None else room.tobytes())
         known = self.known.get(pair)
         if known is None or known[0] != seen:
+            found: list[Proposal | None]
             if room is None:
                 found = [propose_corner(spot, prices)]
             else:
                 found = [propose_row(spot, prices, room), propose_roof(spot, prices)]
+                found += propose_wedges(spot, prices)
             known = (seen, [proposal for proposal in found if proposal is not None])
             self.known[pair] = known
         return known[1]

@@ -40,6 +40,9 @@ def turned(primitive: Primitive, values: Sequence[float]) -> Primitive:
     z0 = primitive.low[2]
     if isinstance(primitive, TriangularPrism):
         return TriangularPrism((x0, -far, z0), (x1, far, z1), primitive.edges, primitive.facing)
+    if primitive.turned:
+        half, middle = min(far, (x1 - x0) / 2), (x0 + x1) / 2
+        return RectangularPrism((middle - half, -half, z0), (middle + half, half, z1), turned=True)
     sign = 1.0 if primitive.high[1] + primitive.low[1] > 0 else -1.0
     near = min(abs(primitive.low[1]), abs(primitive.high[1]))
     y0, y1 = sorted((sign * near, sign * far))
@@ -54,6 +57,34 @@ def thinnest(primitive: Primitive) -> float:
         steps = [abs(b - a) for a, b in pairwise(heights)]
         return min(2 * primitive.half_width, *lengths, *heights, *steps)
     return min(high - low for low, high in zip(primitive.low, primitive.high, strict=True))
+
+
+def simplified(primitive: Primitive, least: float) -> Primitive:
+    """The primitive without what is thinner than `least` mm in a row.
+
+    Tops shorter, and steps lower, join a neighbour; then ends lower than that go.
+    """
+    if not isinstance(primitive, PrismRow):
+        return primitive
+    tops = list(primitive.tops)
+    while len(tops) > 1:
+        lengths = [x1 - x0 for x0, x1, _ in tops]
+        short = min(range(len(tops)), key=lengths.__getitem__)
+        steps = [abs(right[2] - left[2]) for left, right in pairwise(tops)]
+        low = min(range(len(steps)), key=steps.__getitem__)
+        if lengths[short] < least:
+            sides = [k for k in (short - 1, short) if 0 <= k < len(steps)]
+            low = min(sides, key=steps.__getitem__)
+        elif steps[low] >= least:
+            break
+        left, right = tops[low], tops[low + 1]
+        longer = left if left[1] - left[0] >= right[1] - right[0] else right
+        tops[low : low + 2] = [(left[0], right[1], longer[2])]
+    while len(tops) > 1 and tops[0][2] < least:
+        tops.pop(0)
+    while len(tops) > 1 and tops[-1][2] < least:
+        tops.pop()
+    return PrismRow(primitive.half_width, primitive.base, merged(tops))
 
 
 def limited(knob: Knob, pair: BasePatchPair) -> float:

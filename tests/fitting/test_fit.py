@@ -103,3 +103,29 @@ def test_fit_at_another_size_is_the_same_shape() -> None:
     for one, other in zip(found.mechanisms, small.mechanisms, strict=True):
         for plate, reduced in zip(one.plates(), other.plates(), strict=True):
             np.testing.assert_allclose(reduced.outline, 0.4 * plate.outline, atol=1e-9)
+
+
+def wedge(tip: float, depth: float, height: float) -> np.ndarray:
+    """An upright wedge that points to +x at 45 degrees to both sides."""
+    corners = [(tip, 0.0), (tip - depth, depth), (tip - depth, -depth)]
+    low, high = (np.array([[x, y, z] for x, y in corners]) for z in (0.0, height))
+    faces = [low[::-1], high]
+    for k in range(3):
+        m = (k + 1) % 3
+        faces += [[low[k], low[m], high[m]], [low[k], high[m], high[k]]]
+    return np.array(faces)
+
+
+def test_wedge_becomes_a_v_fold_that_faces_its_tip() -> None:
+    found = fitted(surface(wedge(40.0, 40.0, 50.0)))
+    assert types(found)[0] == ("v-fold-2", ("G", "B"))
+    fold = found.mechanisms[0]
+    assert fold.facing == 1
+    assert fold.tip == pytest.approx(40.0, abs=3.0)
+    assert fold.width == pytest.approx(40.0 * np.sqrt(2), abs=5.0)
+
+
+def test_box_on_its_corner_becomes_the_whole_v_fold() -> None:
+    both = np.concatenate([wedge(40.0, 40.0, 50.0), wedge(40.0, 40.0, 50.0) * [-1, 1, 1]])
+    found = fitted(surface(both))
+    assert types(found)[0] == ("v-fold-1", ("G", "B"))
