@@ -4,6 +4,7 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from popsim.verification import Verdict
+    from popsim.verification.verdict import Measure
 
 
 def print_verdict(verdict: "Verdict", name: str) -> None:
@@ -23,11 +24,26 @@ def print_verdict(verdict: "Verdict", name: str) -> None:
             _coloured(row["simulation"]) + (f" ({_coloured(row['disagreement'])})" if row["disagreement"] else ""),
             f"{escape(row['measured'])} (at most {row['tolerance']}){escape(where)}",
         )
+        for measure in _others(verdict, row["aspect"]):
+            place = f", {measure.where}" if measure.where else ""
+            told = f"{measure.name} {measure.found} (at most {measure.allowed}){place}"
+            table.add_row("", "", "", f"[dim]{escape(told)}[/]")
     console.print(table)
+    for name_of, (measured, stated) in verdict.ranges.items():
+        theory = "" if stated is None else f", by the theory {stated[0]:.3f} to {stated[1]:.3f}"
+        console.print(
+            f"closing range of {name_of}: x {measured[0]:.3f} to {measured[1]:.3f} mm{theory}", markup=False
+        )
     for note in verdict.notes:
         console.print(f"note: {note}", markup=False)
     word = "[bold green]PASSED[/]" if verdict.passed else "[bold red]FAILED[/]"
     console.print(f"{word} {name}: {_because(verdict)}")
+
+
+def _others(verdict: "Verdict", aspect: str) -> list["Measure"]:
+    """What else was measured of an aspect, beside the measure its row tells."""
+    found = [finding for finding in verdict.findings if finding.aspect == aspect]
+    return [measure for finding in found for measure in finding.measures if measure is not finding.worst]
 
 
 def _because(verdict: "Verdict") -> str:
