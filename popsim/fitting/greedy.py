@@ -118,10 +118,10 @@ class Grower:
         if known is None or known[0] != seen:
             found: list[Proposal | None]
             if room is None:
-                found = [propose_corner(spot, prices)]
+                found = [propose_corner(spot)]
             else:
-                found = [propose_row(spot, prices, room), propose_roof(spot, prices)]
-                found += propose_wedges(spot, prices)
+                found = [propose_row(spot, prices, room), propose_roof(spot)]
+                found += propose_wedges(spot)
             known = (seen, [proposal for proposal in found if proposal is not None])
             self.known[pair] = known
         return known[1]

@@ -33,16 +33,8 @@ class Proposal:
         Where it stands.
     gain:
         Cells gained, before any price.
-    cost:
-        Price of the patches it needs at the least.
     """
 
     primitive: Primitive
     pair: BasePatchPair
     gain: float
-    cost: float
-
-    @property
-    def profit(self) -> float:
-        """Gain less price."""
-        return self.gain - self.cost

@@ -3,12 +3,10 @@
 import numpy as np
 
 from popsim.fitting.field import Spot
-from popsim.fitting.proposal import Prices, Proposal
+from popsim.fitting.proposal import Proposal
 from popsim.fitting.runs import best_run
 from popsim.geometry.arrays import FloatArray, IntArray
 from popsim.mechanisms import TriangularPrism
-
-ROOF_PATCHES = 2
 
 STRIDE = 2
 """Cells between the heights that are tried; refitting finds those between."""
@@ -17,7 +15,7 @@ LEAST = 2
 """Cells; a roof narrower or lower than this is noise."""
 
 
-def propose_roof(spot: Spot, prices: Prices) -> Proposal | None:
+def propose_roof(spot: Spot) -> Proposal | None:
     """The roof that gains most on an opening pair, or None."""
     _, wide, high = spot.gain.shape
     if wide < LEAST or high < LEAST:
@@ -35,7 +33,7 @@ def propose_roof(spot: Spot, prices: Prices) -> Proposal | None:
     low, top = spot.place(int(first[t, h]), 0, 0), spot.place(int(last[t, h]), int(halves[t]), int(heights[h]))
     half = float(top[1])
     prism = TriangularPrism((float(low[0]), -half, spot.pair.v), (float(top[0]), half, float(top[2])), edges="x")
-    return Proposal(prism, spot.pair, float(gain[t, h]), prices.patch * ROOF_PATCHES)
+    return Proposal(prism, spot.pair, float(gain[t, h]))
 
 
 def _reach(halves: FloatArray | IntArray, heights: FloatArray | IntArray, levels: int) -> IntArray:

@@ -9,13 +9,8 @@ from popsim.fitting.proposal import Prices, Proposal
 from popsim.geometry.arrays import BoolArray, FloatArray, IntArray
 from popsim.mechanisms import PrismRow
 
-ROW_PATCHES = 7
-"""Sides, backbone, and the end pairs of a row: what it costs before its first top."""
-
 STEP_PATCHES = 4
 """A top and an end pair: what each step of a profile costs."""
-
-TOP_PATCHES = 2
 
 STAND_PATCHES = 9
 """Patches of the simplest box that could later stand on a top."""
@@ -56,8 +51,7 @@ def propose_row(spot: Spot, prices: Prices, room: BoolArray | None = None) -> Pr
         return None
     tops = _trace(phases, x, w, h)
     gain = float(sum(sums[a:b, w, top].sum() for a, b, top in tops))
-    cost = prices.patch * (ROW_PATCHES + TOP_PATCHES + STEP_PATCHES * (len(tops) - 1))
-    return _as_proposal(spot, tops, w, gain, cost)
+    return _as_proposal(spot, tops, w, gain)
 
 
 def _later(sums: FloatArray, prices: Prices) -> FloatArray:
@@ -130,9 +124,9 @@ def _trace(table: _Table, x: int, w: int, h: int) -> list[tuple[int, int, int]]:
     return tops
 
 
-def _as_proposal(spot: Spot, tops: list[tuple[int, int, int]], w: int, gain: float, cost: float) -> Proposal:
+def _as_proposal(spot: Spot, tops: list[tuple[int, int, int]], w: int, gain: float) -> Proposal:
     row = []
     for a, b, h in tops:
         x1, half, top = spot.place(b, w + 1, h + 1)
         row.append((float(spot.place(a, 0, 0)[0]), float(x1), float(top) - spot.pair.v))
-    return Proposal(PrismRow(float(half), spot.pair.v, tuple(row)), spot.pair, gain, cost)
+    return Proposal(PrismRow(float(half), spot.pair.v, tuple(row)), spot.pair, gain)

@@ -5,11 +5,9 @@ from typing import Literal
 import numpy as np
 
 from popsim.fitting.field import Spot
-from popsim.fitting.proposal import Prices, Proposal
+from popsim.fitting.proposal import Proposal
 from popsim.geometry.arrays import FloatArray
 from popsim.mechanisms import Primitive, RectangularPrism, TriangularPrism
-
-WEDGE_PATCHES, TURNED_PATCHES = 4, 6
 
 LEAST = 2
 """Cells; a wedge shallower than this is noise."""
@@ -18,7 +16,7 @@ NOTHING = -1e12
 """Gain of what does not fit."""
 
 
-def propose_wedges(spot: Spot, prices: Prices) -> list[Proposal]:
+def propose_wedges(spot: Spot) -> list[Proposal]:
     """The wedges facing either way and the turned box that gain most, as far as there are any."""
     sums = spot.summed()[:, 1:, 1:]
     forward = _wedges(sums)
@@ -27,8 +25,7 @@ def propose_wedges(spot: Spot, prices: Prices) -> list[Proposal]:
     for facing, gain in ((1, forward), (-1, backward), (0, _turned(forward, backward))):
         x, a, h = (int(k) for k in np.unravel_index(int(gain.argmax()), gain.shape))
         if gain[x, a, h] > 0 and a + 1 >= LEAST:
-            cost = prices.patch * (WEDGE_PATCHES if facing else TURNED_PATCHES)
-            found.append(Proposal(_primitive(spot, (x, a, h), facing), spot.pair, float(gain[x, a, h]), cost))
+            found.append(Proposal(_primitive(spot, (x, a, h), facing), spot.pair, float(gain[x, a, h])))
     return found
 
 
