@@ -10,7 +10,7 @@ ROOT = Path(__file__).resolve().parent.parent / "popsim"
 
 STOREYS = [
     {"errors", ""},
-    {"files", "units"},
+    {"files", "units", "stock"},
     {"geometry"},
     {"design"},
     {"mechanisms"},
