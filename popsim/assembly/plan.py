@@ -3,32 +3,16 @@
 from dataclasses import dataclass, replace
 from itertools import groupby
 
+import numpy as np
+
+from popsim.assembly.flap_motion import flap_motions
 from popsim.assembly.order import gluing_order
 from popsim.assembly.precedence import Precedence
+from popsim.assembly.scene import Scene, flap_key
+from popsim.assembly.step import Step, StepKind
 from popsim.assembly.wording import closing_text, cutting_text, gluing_text
+from popsim.design import BACKDROP_ID, GROUND_ID
 from popsim.layout import Layout
-
-
-@dataclass(frozen=True)
-class Step:
-    """One thing to do.
-
-    Attributes
-    ----------
-    number:
-        1, 2, 3 ...
-    pieces:
-        Names of the pieces in hand, those new in this step first.
-    joints:
-        Ids of the joints that are glued, in order; none in the first and last step.
-    text:
-        What to do, in English.
-    """
-
-    number: int
-    pieces: tuple[str, ...]
-    joints: tuple[str, ...]
-    text: str
 
 
 @dataclass(frozen=True, eq=False)
@@ -65,14 +49,39 @@ def plan_assembly(layout: Layout) -> AssemblyPlan:
     precedence = Precedence(layout)
     order = gluing_order(precedence)
     numbered = replace(layout, numbers={name: k for k, name in enumerate(order, 1)})
-    steps = [Step(1, tuple(piece.name for piece in layout.pieces), (), cutting_text(numbered))]
+    steps = [Step(1, StepKind.CUT, tuple(piece.name for piece in layout.pieces), (), cutting_text(numbered))]
     handled: set[str] = set()
     for ends, names in groupby(order, key=lambda name: frozenset(precedence.ends[name])):
         joints = tuple(names)
         new = [piece.name for piece in layout.pieces if piece.name in ends and piece.name not in handled]
         pieces = (*new, *(piece.name for piece in layout.pieces if piece.name in ends & handled))
+        before = _standing(layout, handled)
         handled |= ends
-        steps.append(Step(len(steps) + 1, pieces, joints, gluing_text(numbered, new, joints)))
-    steps.append(Step(len(steps) + 1, (), (), closing_text()))
-    before = tuple(sorted(precedence.graph.edges))
-    return AssemblyPlan(tuple(steps), order, before, numbered)
+        steps.append(
+            Step(
+                number=len(steps) + 1,
+                kind=StepKind.LAY if new else StepKind.FOLD,
+                pieces=pieces,
+                joints=joints,
+                text=gluing_text(numbered, new, joints),
+                parts=tuple(part for part, piece in layout.piece_of.items() if piece.name in new),
+                flaps=tuple(flap_key(flap) for flap in layout.flaps if flap.joint.id in joints),
+                before=before,
+                after=_standing(layout, handled),
+            )
+        )
+    steps.append(Step(len(steps) + 1, StepKind.FINISH, (), (), closing_text(), before=_standing(layout, handled)))
+    waits = tuple(sorted(precedence.graph.edges))
+    return AssemblyPlan(tuple(steps), order, waits, numbered)
+
+
+def _standing(layout: Layout, pieces: set[str]) -> Scene:
+    """Pieces as they stand in the finished pop-up."""
+    parts = {part for part, piece in layout.piece_of.items() if piece.name in pieces}
+    poses = {name: np.eye(4) for name in layout.parts if name in parts}
+    flaps = {
+        key: motion.turned(motion.glued)
+        for key, motion in flap_motions(layout).items()
+        if motion.flap.carrier in parts
+    }
+    return Scene(poses, flaps, np.pi if parts & {GROUND_ID, BACKDROP_ID} else None)

@@ -38,6 +38,18 @@ def translation(offset: FloatArray) -> FloatArray:
     return matrix
 
 
+def turns_about(axis: FloatArray, point: FloatArray, angles: FloatArray) -> FloatArray:
+    """Rotations by `angles` (n,), rad, about a unit axis through a point, each (3,) (Rodrigues), shape (n, 4, 4)."""
+    x, y, z = axis
+    skew = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
+    sine, versine = np.sin(angles)[:, None, None], 2 * np.sin(angles / 2)[:, None, None] ** 2
+    turns = np.zeros((len(angles), 4, 4))
+    turns[:, :3, :3] = np.eye(3) + sine * skew + versine * (skew @ skew)
+    turns[:, :3, 3] = point - turns[:, :3, :3] @ point
+    turns[:, 3, 3] = 1
+    return turns
+
+
 def _axes(frame: Frame) -> FloatArray:
     """Rotation matrices whose columns are the two axes and their cross product, shape (n, 3, 3)."""
     columns = [frame.first, frame.second, np.cross(frame.first, frame.second)]

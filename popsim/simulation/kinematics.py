@@ -4,6 +4,7 @@ import numpy as np
 
 from popsim.geometry.arrays import FloatArray
 from popsim.geometry.frame import Side, page_poses
+from popsim.geometry.rigid import turns_about
 from popsim.simulation.forest import PAGES
 from popsim.simulation.rig import Rig
 
@@ -25,18 +26,6 @@ def chain_poses(rig: Rig, theta: FloatArray, angles: FloatArray) -> FloatArray:
     for page, side in zip(PAGES, (Side.GROUND, Side.BACKDROP), strict=True):
         poses[:, place[page]] = page_poses(side, theta)
     for index, joint in enumerate(rig.forest.joints):
-        turn = _turns(rig.joint_axes[index], joint.hinge.points[0], angles[:, index])
+        turn = turns_about(rig.joint_axes[index], joint.hinge.points[0], angles[:, index])
         poses[:, place[joint.child]] = poses[:, place[joint.parent]] @ turn
     return poses
-
-
-def _turns(axis: FloatArray, point: FloatArray, angles: FloatArray) -> FloatArray:
-    """Rotations about an axis through a point (Rodrigues), shape (n, 4, 4)."""
-    x, y, z = axis
-    skew = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
-    sine, versine = np.sin(angles)[:, None, None], 2 * np.sin(angles / 2)[:, None, None] ** 2
-    turns = np.zeros((len(angles), 4, 4))
-    turns[:, :3, :3] = np.eye(3) + sine * skew + versine * (skew @ skew)
-    turns[:, :3, 3] = point - turns[:, :3, :3] @ point
-    turns[:, 3, 3] = 1
-    return turns

@@ -1,0 +1,63 @@
+"""One step of an assembly plan."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from enum import Enum
+
+from popsim.assembly.scene import FlapKey, Scene
+from popsim.geometry.arrays import FloatArray
+
+
+class StepKind(Enum):
+    """What is done in a step."""
+
+    CUT = "cut"
+    """Everything is cut out and scored."""
+
+    LAY = "lay"
+    """A free piece, or what was glued before, comes to its place on something else."""
+
+    FOLD = "fold"
+    """Two sides of what is in hand are folded onto each other and glued."""
+
+    FINISH = "finish"
+    """The card is closed for the first time."""
+
+
+@dataclass(frozen=True, eq=False)
+class Step:
+    """One thing to do.
+
+    Attributes
+    ----------
+    number:
+        1, 2, 3 ...
+    kind:
+        What is done.
+    pieces:
+        Names of the pieces in hand, those new in this step first.
+    parts:
+        Ids of the parts that are new in this step.
+    joints:
+        Ids of the joints that are glued, in order; none in the first and last step.
+    flaps:
+        Keys of the flaps that are glued.
+    text:
+        What to do, in English.
+    before, after:
+        What lies on the table before and after; None where there is nothing to see (cutting).
+    motion:
+        Poses of what moves from `before` to `after`, both ends included, by part id, each of shape (k, 4, 4): for
+        arrows. What keeps still is not in it.
+    """
+
+    number: int
+    kind: StepKind
+    pieces: tuple[str, ...]
+    joints: tuple[str, ...]
+    text: str
+    parts: tuple[str, ...] = ()
+    flaps: tuple[FlapKey, ...] = ()
+    before: Scene | None = None
+    after: Scene | None = None
+    motion: Mapping[str, FloatArray] = field(default_factory=dict)
