@@ -5,7 +5,6 @@ from dataclasses import dataclass
 import numpy as np
 
 from popsim.geometry.arrays import FloatArray
-from popsim.geometry.frame import OPEN
 from popsim.simulation.jacobian import LoopJacobian
 from popsim.simulation.rig import Rig, page_quaternions
 from popsim.simulation.sweep import Sweep
@@ -68,7 +67,7 @@ class Push:
 
 def free_motions(rig: Rig, sweep: Sweep) -> list[FreeMotions]:
     """Count free motions in the closing poses nearest to JACOBIAN_DEGREES."""
-    frames = _frames(sweep, JACOBIAN_DEGREES)
+    frames = sweep.closing_at(JACOBIAN_DEGREES)
     jacobian = LoopJacobian(rig.design, rig.forest)
     counts, least = jacobian.nullity(sweep.poses[frames], SINGULAR)
     return [
@@ -85,7 +84,7 @@ def push_test(rig: Rig, sweep: Sweep) -> list[Push]:
     random = np.random.default_rng(SEED)
     stiffness = rig.model.jnt_stiffness.copy()
     rig.model.jnt_stiffness[:] = 0
-    pushes = [_push(rig, sweep, frame, random) for frame in _frames(sweep, PUSH_DEGREES)]
+    pushes = [_push(rig, sweep, frame, random) for frame in sweep.closing_at(PUSH_DEGREES)]
     rig.model.jnt_stiffness[:] = stiffness
     return pushes
 
@@ -124,12 +123,3 @@ def _corners(rig: Rig) -> list[FloatArray]:
         patch.points @ pose[:3, :3].T + pose[:3, 3]
         for patch, pose in zip(rig.design.patches, rig.poses(), strict=True)
     ]
-
-
-def _frames(sweep: Sweep, degrees: tuple[int, ...]) -> list[int]:
-    """Recorded closing angles nearest to `degrees`, each once; never the open or the closed card."""
-    theta = sweep.theta[: sweep.closed + 1]
-    inside = np.flatnonzero((theta > 1e-9) & (theta < OPEN - 1e-9))
-    if not len(inside):
-        return []
-    return sorted({int(inside[np.abs(theta[inside] - np.radians(angle)).argmin()]) for angle in degrees})

@@ -1,5 +1,6 @@
 """Closing the card and opening it again."""
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -7,6 +8,7 @@ import numpy as np
 
 from popsim.design import Design
 from popsim.geometry.arrays import FloatArray
+from popsim.geometry.frame import OPEN
 from popsim.geometry.rigid import transform
 from popsim.simulation.hull import hull_corners
 from popsim.simulation.kinematics import chain_poses
@@ -19,6 +21,9 @@ PRESS_STEPS = 20
 
 TORN = 1e3
 """rad; a joint that turned farther than this was flung about by loops that cannot close."""
+
+END = 1e-9
+"""rad; nearer to 180 or 0 degrees than this the card is open or closed."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -64,6 +69,14 @@ class Sweep:
     def closed(self) -> int:
         """Position of the closed card among the angles (the least angle that was reached)."""
         return int(np.argmin(self.theta))
+
+    def closing_at(self, degrees: Iterable[float]) -> list[int]:
+        """Recorded closing angles nearest to `degrees`, each once; never the open or the closed card."""
+        theta = self.theta[: self.closed + 1]
+        inside = np.flatnonzero((theta > END) & (theta < OPEN - END))
+        if not len(inside):
+            return []
+        return sorted({int(inside[np.abs(theta[inside] - np.radians(angle)).argmin()]) for angle in degrees})
 
     def moved(self, patch: str, count: int | None = None) -> FloatArray:
         """Hull corners of a patch at the first `count` angles (at all), shape (n, k, 3)."""
