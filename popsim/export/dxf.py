@@ -13,7 +13,7 @@ import numpy as np
 from popsim.export.job import Job, numbered
 from popsim.export.styles import Colour, Style
 from popsim.geometry.arrays import FloatArray
-from popsim.layout.sheet import Area, Line, Mark, Picture, Role, Sheet, Text
+from popsim.layout.sheet import Area, Line, Mark, Meaning, Picture, Role, Sheet, Text
 
 if TYPE_CHECKING:
     from ezdxf.document import Drawing
@@ -79,7 +79,7 @@ def _draw(space: "Modelspace", mark: Mark) -> None:
             pass  # the cutter needs the outline alone
 
 
-def _look(space: "Modelspace", role: Role) -> str:
+def _look(space: "Modelspace", role: Meaning) -> str:
     document = space.doc
     return role.value if document is not None and role.value in document.linetypes else "CONTINUOUS"
 

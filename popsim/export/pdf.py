@@ -7,10 +7,10 @@ from typing import Any
 import numpy as np
 
 from popsim.export.job import Job
-from popsim.export.styles import Colour, Style
+from popsim.export.styles import Style
 from popsim.export.textures import packed_texture
 from popsim.geometry.arrays import FloatArray
-from popsim.layout.sheet import Area, Line, Mark, Picture, Role, Text
+from popsim.layout.sheet import Area, Line, Mark, Picture, Sheet, Text
 
 POINTS = 72 / 25.4
 """Points in a millimetre."""
@@ -21,20 +21,25 @@ FONT, BOLD = "Vera", "VeraBd"
 
 def write_pdf(job: Job, path: Path) -> tuple[Path, ...]:
     """Write all sheets into one file; the same sheets give the same bytes."""
+    write_pages(job.sheets, path, style=job.style, texture_root=job.texture_root, title=job.title)
+    return (path,)
+
+
+def write_pages(pages: tuple[Sheet, ...], path: Path, *, style: Style, texture_root: Path, title: str) -> None:
+    """Write pages of any drawing into one file; the same pages give the same bytes."""
     from reportlab.pdfgen.canvas import Canvas
 
     _register_fonts()
     canvas = Canvas(str(path), invariant=1, pageCompression=1, initialFontName="Helvetica")
-    canvas.setTitle(job.title)
+    canvas.setTitle(title)
     canvas.setCreator("popsim")
     canvas.setViewerPreference("PrintScaling", "None")
-    for sheet in job.sheets:
+    for sheet in pages:
         canvas.setPageSize((sheet.width * POINTS, sheet.height * POINTS))
         for mark in sheet.marks:
-            _draw(canvas, mark, job.style, job.texture_root)
+            _draw(canvas, mark, style, texture_root)
         canvas.showPage()
     canvas.save()
-    return (path,)
 
 
 def _register_fonts() -> None:
@@ -56,7 +61,7 @@ def _draw(canvas: Any, mark: Mark, style: Style, texture_root: Path) -> None:
             canvas.setDash([dash * POINTS for dash in stroke.dashes])
             canvas.drawPath(_path(canvas, (mark.points,), mark.closed), stroke=1, fill=0)
         case Area():
-            canvas.setFillColorRGB(*_fill(mark.looks or mark.role, style))
+            canvas.setFillColorRGB(*style.stroke(mark.looks or mark.role).colour)
             canvas.drawPath(_path(canvas, mark.rings), stroke=0, fill=1, fillMode=0)
         case Text():
             _text(canvas, mark, style)
@@ -64,10 +69,6 @@ def _draw(canvas: Any, mark: Mark, style: Style, texture_root: Path) -> None:
             canvas.clipPath(_path(canvas, mark.clip), stroke=0, fill=0, fillMode=0)
             _picture(canvas, mark, texture_root)
     canvas.restoreState()
-
-
-def _fill(role: Role, style: Style) -> Colour:
-    return style.glue if role is Role.GLUE else style.stroke(role).colour
 
 
 def _path(canvas: Any, rings: tuple[FloatArray, ...], closed: bool = True) -> Any:

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from popsim.errors import InputError
-from popsim.layout.sheet import Role
+from popsim.layout.sheet import Meaning, Role
 
 Colour = tuple[float, float, float]
 
@@ -39,19 +39,18 @@ class Stroke:
 
 @dataclass(frozen=True)
 class Style:
-    """A preset: strokes by role, and the colour that fills glue areas."""
+    """How the marks of a kind of drawing look, by role; areas and texts have the colour of its stroke."""
 
     name: str
-    strokes: Mapping[Role, Stroke]
-    glue: Colour = PALE
+    strokes: Mapping[Meaning, Stroke]
 
-    def stroke(self, role: Role) -> Stroke:
+    def stroke(self, role: Meaning) -> Stroke:
         """The stroke of a role."""
         return self.strokes[role]
 
 
 def _style(name: str, cut: Stroke, mountain: Stroke, valley: Stroke) -> Style:
-    strokes = {
+    strokes: dict[Meaning, Stroke] = {
         Role.CUT: cut,
         Role.MOUNTAIN: mountain,
         Role.VALLEY: valley,

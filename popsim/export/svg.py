@@ -2,7 +2,7 @@
 
 import base64
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -11,9 +11,6 @@ from popsim.export.styles import Colour, Style
 from popsim.export.textures import packed_texture
 from popsim.geometry.arrays import FloatArray
 from popsim.layout.sheet import Area, Line, Mark, Picture, Role, Sheet, Text
-
-if TYPE_CHECKING:
-    from drawsvg import Group
 
 FONTS = "Bitstream Vera Sans, DejaVu Sans, Verdana, sans-serif"
 
@@ -52,7 +49,23 @@ def _drawing(sheet: Sheet, style: Style, texture_root: Path, title: str) -> str:
     return text
 
 
-def _draw(layer: "Group", mark: Mark, style: Style, sheet: Sheet, texture_root: Path, name: str) -> None:
+def inline_svg(sheet: Sheet, style: Style, texture_root: Path, name: str) -> str:
+    """One drawing as an SVG element for an HTML page, marks in their order.
+
+    `name` is what the ids in it begin with, unique on the page; the page scales the drawing to its column.
+    """
+    import drawsvg
+
+    drawing = drawsvg.Drawing(sheet.width, sheet.height)
+    drawing.set_render_size(f"{_number(sheet.width)}mm", f"{_number(sheet.height)}mm")
+    drawing.append_title(sheet.name)
+    for index, mark in enumerate(sheet.marks):
+        _draw(drawing, mark, style, sheet, texture_root, f"{name}-{index}")
+    text: str = drawing.as_svg(randomize_ids=False, header="")
+    return text
+
+
+def _draw(layer: Any, mark: Mark, style: Style, sheet: Sheet, texture_root: Path, name: str) -> None:
     import drawsvg
 
     match mark:
@@ -63,8 +76,7 @@ def _draw(layer: "Group", mark: Mark, style: Style, sheet: Sheet, texture_root: 
                 args["stroke_dasharray"] = " ".join(_number(dash) for dash in stroke.dashes)
             layer.append(drawsvg.Path(_path((mark.points,), sheet, mark.closed), **args))
         case Area():
-            role = mark.looks or mark.role
-            fill = _colour(style.glue if role is Role.GLUE else style.stroke(role).colour)
+            fill = _colour(style.stroke(mark.looks or mark.role).colour)
             layer.append(drawsvg.Path(_path(mark.rings, sheet), fill=fill, fill_rule="evenodd", stroke="none"))
         case Text():
             layer.append(_text(mark, style, sheet))

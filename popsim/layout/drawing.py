@@ -5,7 +5,7 @@ import numpy as np
 from popsim.layout.furniture import furnish
 from popsim.layout.layout import Layout
 from popsim.layout.piece_marks import piece_marks, reverse_marks
-from popsim.layout.sheet import Mark, Role, Sheet, Text
+from popsim.layout.sheet import Mark, Meaning, Role, Sheet, Text
 
 HEADING = 3.0
 """mm; font size of the heading of a reverse."""
@@ -42,7 +42,7 @@ def draw_sheets(
 
 def _sheet(layout: Layout, title: str, marks: list[Mark]) -> Sheet:
     """Marks in the order of their roles: pictures at the bottom, texts near the top."""
-    order = list(Role)
+    order: list[Meaning] = list(Role)
     marks.sort(key=lambda mark: order.index(mark.role))
     return Sheet(title, layout.paper.width, layout.paper.height, tuple(marks))
 

@@ -3,17 +3,22 @@
 Coordinates are mm from the lower left corner of the paper, y up, at true scale.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import Enum
 from typing import Literal
 
 from popsim.geometry.arrays import FloatArray, locked
+from popsim.geometry.flat import flat_motion
 
 Anchor = Literal["start", "middle", "end"]
 
 
-class Role(Enum):
-    """What a mark means; the value names its layer."""
+class Meaning(Enum):
+    """What marks can mean; each kind of drawing lists its own, and a style says how each looks."""
+
+
+class Role(Meaning):
+    """What a mark on a sheet that is cut means; the value names its layer."""
 
     PRINT = "print"
     GLUE = "glue"
@@ -31,10 +36,10 @@ class Line:
     `looks` draws it as lines of another role look without being one: samples in the legend are not cut.
     """
 
-    role: Role
+    role: Meaning
     points: FloatArray
     closed: bool = False
-    looks: Role | None = None
+    looks: Meaning | None = None
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "points", locked(self.points, (None, 2), "line"))
@@ -44,9 +49,9 @@ class Line:
 class Area:
     """A filled area: rings (n, 2), even-odd."""
 
-    role: Role
+    role: Meaning
     rings: tuple[FloatArray, ...]
-    looks: Role | None = None
+    looks: Meaning | None = None
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "rings", tuple(locked(ring, (None, 2), "area") for ring in self.rings))
@@ -56,7 +61,7 @@ class Area:
 class Text:
     """A line of text at its baseline: `size` of the font and `at` (2,) in mm, `angle` in radians."""
 
-    role: Role
+    role: Meaning
     text: str
     at: FloatArray
     size: float
@@ -82,7 +87,7 @@ class Picture:
         Rings, each (n, 2).
     """
 
-    role: Role
+    role: Meaning
     image: str
     frame: FloatArray
     clip: tuple[FloatArray, ...]
@@ -104,9 +109,23 @@ class Sheet:
     height: float
     marks: tuple[Mark, ...]
 
-    def of(self, *roles: Role) -> tuple[Mark, ...]:
+    def of(self, *roles: Meaning) -> tuple[Mark, ...]:
         """The marks of some roles, in drawing order."""
         return tuple(mark for mark in self.marks if mark.role in roles)
+
+
+def shifted(mark: Mark, by: FloatArray) -> Mark:
+    """The same mark, moved by (2,) mm."""
+    match mark:
+        case Line():
+            return replace(mark, points=mark.points + by)
+        case Area():
+            return replace(mark, rings=tuple(ring + by for ring in mark.rings))
+        case Text():
+            return replace(mark, at=mark.at + by)
+        case Picture():
+            frame = flat_motion(0.0, by) @ mark.frame
+            return replace(mark, frame=frame, clip=tuple(ring + by for ring in mark.clip))
 
 
 TEXT_WIDTH = 0.62
