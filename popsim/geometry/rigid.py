@@ -39,7 +39,7 @@ def translation(offset: FloatArray) -> FloatArray:
 
 
 def turns_about(axis: FloatArray, point: FloatArray, angles: FloatArray) -> FloatArray:
-    """Rotations by `angles` (n,), rad, about a unit axis through a point, each (3,) (Rodrigues), shape (n, 4, 4)."""
+    """Rotations by angles (n,), rad, about a unit axis through a point, both (3,) (Rodrigues), shape (n, 4, 4)."""
     x, y, z = axis
     skew = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
     sine, versine = np.sin(angles)[:, None, None], 2 * np.sin(angles / 2)[:, None, None] ** 2
