@@ -13,6 +13,9 @@ from popsim.layout.sheet import TEXT_WIDTH, Area, Line, Mark, Role, Text
 SMALL = 2.2
 """mm; font size of the legend."""
 
+TITLE = 2.6
+"""mm; font size of the title."""
+
 FINE = 1.8
 """mm; font size of the reproduction line."""
 
@@ -24,6 +27,11 @@ LEGEND = (
     (Role.VALLEY, "valley fold: towards you"),
 )
 
+PLACES = "7: flap 7 goes here; (7): behind here"
+
+SAMPLE = 11.5
+"""mm; what a sample in the legend takes."""
+
 
 def furnish(
     paper: Paper, settings: LayoutSettings, title: str, *, footer: str, banner: str | None
@@ -33,17 +41,17 @@ def furnish(
     yield from _head(paper, settings, title, banner)
     base = settings.border
     yield from _footer(footer, left, right, base)
-    yield from _scale_bars(left, base + 6.5)
-    yield from _legend(left, base + 13.5)
+    yield from _scale_bars(left, base + 5.2)
+    yield from _legend(left, right, base + 9.7)
     yield from REGISTRATIONS[settings.registration].marks(paper)
 
 
 def _head(paper: Paper, settings: LayoutSettings, title: str, banner: str | None) -> Iterator[Mark]:
-    y = paper.height - settings.border - HEADER + 2
-    yield Text(Role.LABEL, title, np.array([paper.width - settings.border, y]), 3.0, anchor="end")
+    y = paper.height - settings.border - HEADER + 1.4
+    yield Text(Role.LABEL, title, np.array([paper.width - settings.border, y]), TITLE, anchor="end")
     if banner:
         room = paper.width - 2 * settings.border - 30
-        size = min(4.0, room / max(len(banner), 1) / (TEXT_WIDTH * 1.1))
+        size = min(HEADER - 1, room / max(len(banner), 1) / (TEXT_WIDTH * 1.1))
         yield Text(Role.LABEL, banner, np.array([settings.border, y]), size, bold=True)
 
 
@@ -51,7 +59,7 @@ def _footer(footer: str, left: float, right: float, base: float) -> Iterator[Tex
     letters = int((right - left) / (TEXT_WIDTH * FINE))
     lines = wrap(footer, letters)[:2]
     for k, line in enumerate(reversed(lines)):
-        yield Text(Role.LABEL, line, np.array([left, base + 0.5 + 2.4 * k]), FINE)
+        yield Text(Role.LABEL, line, np.array([left, base + 0.5 + 2.2 * k]), FINE)
 
 
 def _scale_bars(left: float, y: float) -> Iterator[Mark]:
@@ -71,13 +79,19 @@ def _bar(left: float, y: float, step: float, count: int, name: str) -> Iterator[
     yield Text(Role.LABEL, name, np.array([left + step * count + 1.5, y]), SMALL)
 
 
-def _legend(left: float, y: float) -> Iterator[Mark]:
-    middle = y + 0.35 * SMALL
+def _legend(left: float, right: float, y: float) -> Iterator[Mark]:
+    """Samples with their meanings, side by side; smaller on narrow paper."""
+    words = [name for _, name in LEGEND] + [PLACES]
+    natural = sum(SAMPLE + TEXT_WIDTH * SMALL * len(name) + 2 for name in words)
+    scale = min(1.0, (right - left) / natural)
     x = left
-    for role, name in LEGEND:
-        yield Line(Role.LABEL, np.array([[x, middle], [x + 11, middle]]), looks=role)
-        yield Text(Role.LABEL, name, np.array([x + 12.5, y]), SMALL)
-        x += 12.5 + TEXT_WIDTH * SMALL * len(name) + 2
-    square = np.array([[x, y - 0.3], [x + 5, y - 0.3], [x + 5, y + 2], [x, y + 2]])
-    yield Area(Role.LABEL, (square,), looks=Role.GLUE)
-    yield Text(Role.LABEL, "7: flap 7 goes here; (7): behind here", np.array([x + 6, y]), SMALL)
+    for role, name in (*LEGEND, (None, PLACES)):
+        if role is None:
+            low, high = [x, y - 0.3 * scale], [x + 10 * scale, y + 2 * scale]
+            square = np.array([low, [high[0], low[1]], high, [low[0], high[1]]])
+            yield Area(Role.LABEL, (square,), looks=Role.GLUE)
+        else:
+            middle = y + 0.35 * SMALL * scale
+            yield Line(Role.LABEL, np.array([[x, middle], [x + 10 * scale, middle]]), looks=role)
+        yield Text(Role.LABEL, name, np.array([x + SAMPLE * scale, y]), SMALL * scale)
+        x += (SAMPLE + TEXT_WIDTH * SMALL * len(name) + 2) * scale

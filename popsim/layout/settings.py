@@ -6,10 +6,10 @@ from popsim.layout.errors import LayoutError
 from popsim.layout.paper import Paper
 from popsim.layout.registration import REGISTRATIONS
 
-FOOTER = 17.0
+FOOTER = 13.0
 """mm above the lower margin kept for legend, scale bar, page number and reproduction line."""
 
-HEADER = 6.0
+HEADER = 4.0
 """mm below the upper margin kept for the title and the banner."""
 
 
@@ -35,8 +35,8 @@ class LayoutSettings:
         Marks for a cutting machine, a name in :data:`popsim.layout.registration.REGISTRATIONS`.
     """
 
-    margin: float = 10.0
-    gap: float = 3.0
+    margin: float = 8.0
+    gap: float = 2.0
     flap_depth: float = 5.0
     seam_depth: float = 10.0
     split: bool = True

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from popsim.design import Design
+from popsim.design import Design, Hinge
 from popsim.design.rules import TOUCHING
 from popsim.geometry.arrays import FloatArray
 from popsim.geometry.flat import common
@@ -50,14 +50,15 @@ def divide(design: Design, paper: Paper, settings: LayoutSettings) -> tuple[Part
     room = settings.area(paper)
     for patch in design.patches:
         part = whole(patch)
-        if fits(part.polygon, room, 2 * settings.flap_depth):
+        hinges = design.hinges_by_patch[patch.id]
+        if fits(_with_flaps(part, hinges, settings), room, 0.0):
             parts.append(part)
             continue
-        lines = [part.flat(hinge.points) for hinge in design.hinges_by_patch[patch.id]]
+        lines = [part.flat(hinge.points) for hinge in hinges]
         wished = [part.flat(mark) for mark in marks if abs(float(part.plane.distance(mark))) < TOUCHING]
         polygons = _cut(part.polygon, room, settings.flap_depth + settings.seam_depth, Hints(lines, wished))
         if not settings.split or len(polygons) > MOST_PARTS:
-            raise _too_large(part, paper, settings, len(polygons))
+            raise _too_large(part, _with_flaps(part, hinges, settings), paper, settings, len(polygons))
         parts += [Part(f"{part.id}/{k}", patch, part.plane, p) for k, p in enumerate(polygons, 1)]
         marks += [part.plane.lift(np.array(corner)) for p in polygons for corner in p.exterior.coords[:-1]]
     return tuple(parts)
@@ -73,20 +74,34 @@ def fits(polygon: "Polygon", room: tuple[float, float], allowance: float) -> boo
     )
 
 
+def _with_flaps(part: Part, hinges: tuple[Hinge, ...], settings: LayoutSettings) -> "Polygon":
+    """Hull of a part and of all flaps that it may have to carry."""
+    import shapely
+
+    depths = [settings.seam_depth if hinge.kind == "central" else settings.flap_depth for hinge in hinges]
+    strips = [
+        shapely.LineString(part.flat(hinge.points)).buffer(depth, cap_style="flat")
+        for hinge, depth in zip(hinges, depths, strict=True)
+    ]
+    return shapely.union_all([part.polygon, *strips]).convex_hull
+
+
 def aslant(polygon: "Polygon") -> tuple[float, float]:
     """Sides of the smallest rectangle around `polygon`, at any angle."""
     corners = np.array(polygon.minimum_rotated_rectangle.exterior.coords)
     return float(np.linalg.norm(corners[1] - corners[0])), float(np.linalg.norm(corners[2] - corners[1]))
 
 
-def _too_large(part: Part, paper: Paper, settings: LayoutSettings, count: int) -> LayoutError:
-    low_u, low_v, high_u, high_v = part.polygon.bounds
-    size = sorted((high_u - low_u, high_v - low_v))
-    room = [side - 2 * settings.flap_depth for side in sorted(settings.area(paper))]
-    scale = np.floor(1000 * min(room[0] / size[0], room[1] / size[1])) / 1000
+def _too_large(
+    part: Part, with_flaps: "Polygon", paper: Paper, settings: LayoutSettings, count: int
+) -> LayoutError:
+    size, whole_size = (np.array(shape.bounds[2:]) - shape.bounds[:2] for shape in (part.polygon, with_flaps))
+    room = np.array(settings.area(paper))
+    fitting = max(float(((side - (whole_size - size)) / size).min()) for side in (room, room[::-1]))
+    scale = np.floor(1000 * fitting) / 1000
     why = f"it would take {count} parts" if settings.split else "dividing it is switched off"
     return LayoutError(
-        f"{part.patch.id} measures {size[0]:.1f} x {size[1]:.1f} mm, more than {paper.name} holds within its "
+        f"{part.patch.id} measures {min(size):.1f} x {max(size):.1f} mm, more than {paper.name} holds within its "
         f"margins, and {why}; scale the design by {scale:.3f} or less, or use larger paper"
     )
 

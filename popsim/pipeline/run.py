@@ -121,8 +121,8 @@ def _sized(prepared: Prepared, fit: Fit, settings: RunSettings, path: Path) -> t
 
 
 def _shrink(card: Card, settings: RunSettings) -> float:
-    """Factor by which a card must shrink for each page to fit a sheet; 1 where it fits."""
-    page = np.array([card.x[1] - card.x[0], card.depth])
+    """Factor by which a card must shrink for a page and the flap on its fold to fit a sheet; 1 where they do."""
+    page = np.array([card.x[1] - card.x[0], card.depth + settings.layout.seam_depth])
     sheet = np.array(settings.layout.area(find_paper(settings.paper)))
     room = max(float((sheet / page).min()), float((sheet[::-1] / page).min()))
     return 1.0 if room >= 1 else CLEARANCE * room

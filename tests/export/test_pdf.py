@@ -76,11 +76,12 @@ def test_the_steps_follow_the_sheets(pdf: Path, printed: Printed) -> None:
 def test_sizes_are_true_at_600_dpi(tmp_path: Path) -> None:
     """A bare card of 120 x 60 mm on A5, measured on the rendered page."""
     design = assemble(Card(x=(-60, 60), depth=30), [])
-    (made,) = export(lay_out(design, paper="A5"), tmp_path / "s.pdf", "pdf", texture_root=tmp_path)
+    layout = lay_out(design, paper="A5")
+    (made,) = export(layout, tmp_path / "s.pdf", "pdf", texture_root=tmp_path)
     bitmap = pypdfium2.PdfDocument(made)[0].render(scale=DPI / 72, grayscale=True).to_numpy().squeeze()
     dark = bitmap < 100
-    high = dark[: int(185 / 25.4 * DPI)]  # above the legend, below the title
-    high[: int(20 / 25.4 * DPI)] = False
+    low = layout.settings.corner[1]
+    high = dark[: int((210 - low + 1) / 25.4 * DPI)]  # above the legend
     rows, columns = (np.flatnonzero(high.mean(axis=axis) > 0.25) for axis in (1, 0))
     width, height = (
         (line[-1] - line[0] + 1) * 25.4 / DPI - 0.25 for line in (columns, rows)
