@@ -9,7 +9,9 @@ import numpy as np
 
 from popsim.geometry.arrays import BoolArray, FloatArray, UInt8Array
 from popsim.patches.sight import Grid, Sight, colours, look
+from popsim.rendering.parallel import map_chunks
 from popsim.rendering.ray_scene import RayScene
+from popsim.rendering.texture import eight_bit
 
 BLOCK = 2
 """Pixels per side of a block."""
@@ -64,11 +66,18 @@ def _pixels(blocks: FloatArray) -> FloatArray:
 
 def _changing(image: UInt8Array, mask: BoolArray) -> BoolArray:
     """Blocks beside which the colour or what is seen changes, shape (rows, columns)."""
-    from scipy.ndimage import maximum_filter, minimum_filter
-
     channels = np.dstack([image, np.where(mask, np.uint8(255), np.uint8(0))])
-    spread = maximum_filter(channels, (3, 3, 1)) - minimum_filter(channels, (3, 3, 1))
-    return np.asarray(spread.max(axis=2) > CONTRAST)
+    highest, lowest = (_of_neighbours(pick, channels) for pick in (np.maximum, np.minimum))
+    return np.asarray((highest - lowest).max(axis=2) > CONTRAST)
+
+
+def _of_neighbours(pick: np.ufunc, image: UInt8Array) -> UInt8Array:
+    """The greatest or least value among a pixel and its eight neighbours, channel by channel."""
+    for axis in (0, 1):
+        padded = np.pad(image, [(1, 1) if k == axis else (0, 0) for k in range(3)], mode="edge")
+        before, here, after = (np.moveaxis(padded, axis, 0)[k : k + image.shape[axis]] for k in range(3))
+        image = np.moveaxis(pick(pick(before, here), after), 0, axis)
+    return image
 
 
 def _within_faces(sight: Sight) -> BoolArray:
@@ -87,16 +96,18 @@ def _within_faces(sight: Sight) -> BoolArray:
 def _colour_faces(scene: RayScene, sight: Sight, chosen: BoolArray, image: UInt8Array) -> None:
     """Colour the pixels of blocks that lie within one face; barycentric coordinates go on linearly."""
     row, column = np.nonzero(chosen)
-    if not len(row):
-        return
-    face = sight.face.reshape(chosen.shape)[row, column]
-    bary = sight.bary.reshape(*chosen.shape, 3)
-    middle = bary[row, column]
-    down = (bary[row + 1, column] - bary[row - 1, column]) / 2
-    right = (bary[row, column + 1] - bary[row, column - 1]) / 2
-    for i in range(BLOCK):
-        for j in range(BLOCK):
-            offset = [(k + 0.5) / BLOCK - 0.5 for k in (i, j)]
-            place = np.clip(middle + offset[0] * down + offset[1] * right, 0, 1)
-            found = scene.paint.colours(face, place, sight.grid.pixel / BLOCK)[:, :3]
-            image[row * BLOCK + i, column * BLOCK + j] = np.rint(np.clip(found, 0, 1) * 255).astype(np.uint8)
+    columns = chosen.shape[1]
+
+    def colour(part: slice) -> None:
+        at = row[part] * columns + column[part]
+        face, middle = sight.face[at], sight.bary[at]
+        down = (sight.bary[at + columns] - sight.bary[at - columns]) / 2
+        right = (sight.bary[at + 1] - sight.bary[at - 1]) / 2
+        for i in range(BLOCK):
+            for j in range(BLOCK):
+                offset = [(k + 0.5) / BLOCK - 0.5 for k in (i, j)]
+                place = np.clip(middle + offset[0] * down + offset[1] * right, 0, 1)
+                found = scene.paint.colours(face, place, sight.grid.pixel / BLOCK)[:, :3]
+                image[row[part] * BLOCK + i, column[part] * BLOCK + j] = eight_bit(found)
+
+    map_chunks(colour, len(row))

@@ -1,16 +1,21 @@
 """What a plate sees of the model: parallel rays onto its plane, within a box of space (Sec. 4.3)."""
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from popsim.geometry.arrays import BoolArray, FloatArray, IntArray, UInt8Array
 from popsim.geometry.plane import Plane
+from popsim.geometry.raster import covered
 from popsim.rendering.edges import feature_edges
 from popsim.rendering.light import LINE, Light, facing
 from popsim.rendering.parallel import map_chunks
 from popsim.rendering.ray_scene import RayScene
-from popsim.rendering.texture import Colours
+from popsim.rendering.texture import Colours, eight_bit
+
+if TYPE_CHECKING:
+    from shapely.geometry.base import BaseGeometry
 
 PARALLEL = 1e-12
 """A direction with a component below this never leaves a slab of that axis."""
@@ -43,6 +48,35 @@ class Grid:
         low, high = np.array(bounds[:2]), np.array(bounds[2:])
         columns, rows = np.maximum(np.ceil((high - low) / pixel - 1e-6), 1).astype(int)
         return Grid(plane, low, pixel, (int(rows), int(columns)))
+
+    def starts(self) -> tuple[FloatArray, FloatArray, FloatArray]:
+        """x, y and z of the centres of all pixels, as arrays that broadcast to the grid's shape.
+
+        A coordinate that does not change along rows or columns has length 1 there.
+        """
+        rows, columns = self.shape
+        u = self.low[0] + (np.arange(columns) + 0.5) * self.pixel
+        v = self.low[1] + (rows - np.arange(rows) - 0.5) * self.pixel
+        found = []
+        for origin, across, up in zip(self.plane.origin, self.plane.u, self.plane.v, strict=True):
+            own = np.full((1, 1), origin)
+            own = own + u[None, :] * across if across else own
+            found.append(own + v[:, None] * up if up else own)
+        return found[0], found[1], found[2]
+
+    def points(self, which: IntArray) -> FloatArray:
+        """The centres of some pixels, counted row by row, in space, shape (n, 3)."""
+        row, column = np.divmod(which, self.shape[1])
+        u = self.low[0] + (column + 0.5) * self.pixel
+        v = self.low[1] + (self.shape[0] - row - 0.5) * self.pixel
+        points = np.empty((len(which), 3))
+        for axis in range(3):
+            points[:, axis] = self.plane.origin[axis] + u * self.plane.u[axis] + v * self.plane.v[axis]
+        return points
+
+    def covered(self, shape: "BaseGeometry") -> BoolArray:
+        """The pixels whose centres lie inside a flat shape, shape (rows, columns)."""
+        return covered(shape, self.low, self.pixel, self.shape)
 
     def centres(self) -> FloatArray:
         """Flat coordinates of the centres of all pixels, row by row, shape (rows * columns, 2)."""
@@ -102,26 +136,20 @@ def look(scene: RayScene, grid: Grid, box: FloatArray, near: float, far: FloatAr
     box:
         Rows low and high, shape (2, 3).
     near, far:
-        Least and greatest depth behind the plane; `far` may differ by pixel (NaN: not looked at).
+        Least and greatest depth behind the plane; `far` may differ by pixel, shape (rows, columns) (NaN: not
+        looked at).
     """
-    count = grid.shape[0] * grid.shape[1]
-    limit = np.broadcast_to(np.ravel(far), count)
-    asked = np.flatnonzero(~np.isnan(limit))
     eye = grid.plane.normal
-    origins = grid.plane.lift(grid.centres()[asked])
-    enter, leave = _within(box, origins, -eye)
-    start, stop = np.maximum(enter, near), np.minimum(leave, limit[asked])
-    inside = np.flatnonzero(stop >= start)
+    enter, leave = _within(box, grid)
+    start, stop = (np.broadcast_to(ends, grid.shape) for ends in (np.maximum(enter, near), np.minimum(leave, far)))
+    asked = np.flatnonzero(stop >= start)
+    start, stop = start.ravel()[asked], stop.ravel()[asked]
+    hits = scene.hit(grid.points(asked), -eye[None], near=start, far=stop)
+    count = grid.shape[0] * grid.shape[1]
     depth = np.full(count, np.inf)
     face = np.full(count, -1, dtype=np.int64)
     bary = np.zeros((count, 3))
-    if len(inside):
-        start, stop = start[inside], stop[inside]
-        hits = scene.hit(origins[inside] - start[:, None] * eye, -eye[None], far=float((stop - start).max()))
-        found = start + hits.distance
-        seen = np.flatnonzero(found <= stop + scene.tolerance)
-        at = asked[inside[seen]]
-        depth[at], face[at], bary[at] = found[seen], hits.face[seen], hits.bary[seen]
+    depth[asked], face[asked], bary[asked] = hits
     return Sight(grid, depth.reshape(grid.shape), face, bary)
 
 
@@ -138,7 +166,7 @@ def colours(scene: RayScene, sight: Sight) -> UInt8Array:
         found = scene.paint.paper(found)
         found = np.concatenate([found[:, :3] * _light(scene, sight, seen), found[:, 3:]], axis=1)
     image = np.zeros((len(sight.face), 3), dtype=np.uint8)
-    image[seen] = np.rint(np.clip(found[:, :3], 0, 1) * 255).astype(np.uint8)
+    image[seen] = eight_bit(found[:, :3])
     return image.reshape(*sight.grid.shape, 3)
 
 
@@ -149,15 +177,12 @@ def _light(scene: RayScene, sight: Sight, seen: IntArray) -> Colours:
     face, bary = sight.face[seen], sight.bary[seen]
     smooth = scene.shading_normals(face, bary, -eye[None])
     light = Light.of_view(grid.plane.u, grid.plane.v, eye, grid.plane.v)
-    count = len(sight.face)
-    normal, point = (np.zeros((count, 3), dtype=np.float32) for _ in range(2))
+    normal, point = (np.zeros((len(sight.face), 3), dtype=np.float32) for _ in range(2))
     normal[seen] = facing(scene.normals.astype(np.float32)[face], -eye)
-    point[seen, :2] = grid.centres()[seen]
-    point[seen, 2] = -sight.depth.ravel()[seen]
-    axes = np.array([grid.plane.u, grid.plane.v, eye], dtype=np.float32)
+    point[seen] = grid.points(seen) - sight.depth.ravel()[seen, None] * eye
     shape = (*grid.shape, 3)
     width = max(1, round(LINE_WIDTH / grid.pixel))
-    lines = feature_edges(sight.mask, (normal @ axes.T).reshape(shape), point.reshape(shape), grid.pixel, width)
+    lines = feature_edges(sight.mask, normal.reshape(shape), point.reshape(shape), grid.pixel, width)
     return light.shade(smooth) * np.where(lines.ravel()[seen], np.float32(LINE), np.float32(1))[:, None]
 
 
@@ -165,14 +190,18 @@ LINE_WIDTH = 0.25
 """mm; width of the feature lines on models without colours."""
 
 
-def _within(box: FloatArray, origins: FloatArray, direction: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Where rays enter and leave a box, shape (n,) each; they miss it where they leave before they enter."""
-    enter, leave = np.full(len(origins), -np.inf), np.full(len(origins), np.inf)
-    for axis in range(3):
-        to_low, to_high = box[0, axis] - origins[:, axis], box[1, axis] - origins[:, axis]
-        if abs(direction[axis]) < PARALLEL:
-            leave[(to_low > 0) | (to_high < 0)] = -np.inf
+def _within(box: FloatArray, grid: Grid) -> tuple[FloatArray, FloatArray]:
+    """Depths at which the rays of a grid enter and leave a box; they miss it where they leave before they enter.
+
+    Arrays that broadcast to the shape of the grid: of a side that faces the eye squarely one number will do.
+    """
+    enter, leave = np.full((1, 1), -np.inf), np.full((1, 1), np.inf)
+    for axis, start in enumerate(grid.starts()):
+        direction = -grid.plane.normal[axis]
+        to_low, to_high = box[0, axis] - start, box[1, axis] - start
+        if abs(direction) < PARALLEL:
+            leave = np.where((to_low > 0) | (to_high < 0), -np.inf, leave)
             continue
-        first, last = np.sort([to_low / direction[axis], to_high / direction[axis]], axis=0)
-        enter, leave = np.maximum(enter, first), np.minimum(leave, last)
+        first, last = (to_low, to_high) if direction > 0 else (to_high, to_low)
+        enter, leave = np.maximum(enter, first / direction), np.minimum(leave, last / direction)
     return enter, leave

@@ -59,7 +59,6 @@ def _hidden(scene: RayScene, piece: Piece, grid: Grid) -> BoolArray:
 
 def _enclosed(mask: BoolArray, piece: Piece, grid: Grid) -> BoolArray:
     """Pixels of the face outside the mask, but enclosed by it, by seams and by the foot of an upright plate."""
-    import shapely
     from scipy.ndimage import binary_fill_holes
 
     left, lower, right, _ = piece.face.bounds
@@ -70,26 +69,17 @@ def _enclosed(mask: BoolArray, piece: Piece, grid: Grid) -> BoolArray:
     for line in lines:
         row, column = grid.pixels(line).T
         walls[np.clip(row + 1, 0, walls.shape[0] - 1), np.clip(column + 1, 0, walls.shape[1] - 1)] = True
-    inside = binary_fill_holes(walls)[1:-1, 1:-1] & ~mask
-    at = np.flatnonzero(inside)
-    inside[np.unravel_index(at, inside.shape)] = shapely.contains_xy(piece.face, *grid.centres()[at].T)
-    return np.asarray(inside)
+    return np.asarray(binary_fill_holes(walls)[1:-1, 1:-1] & ~mask & grid.covered(piece.face))
 
 
 def depths(piece: Piece, grid: Grid, region: "BaseGeometry") -> FloatArray:
-    """How deep behind its plane a plate shows the model, by pixel; NaN outside `region`, shape (n,)."""
-    import shapely
-
-    u, v = grid.centres().T
+    """How deep behind its plane a plate shows the model, by pixel; NaN outside `region`, shape (rows, columns)."""
     behind = min(piece.plate.behind, REACH)
     slab = min(SLAB * behind, SLAB_OF_FACE * float(np.sqrt(piece.face.area)))
-    face, within = piece.face.buffer(grid.pixel / 2), region.buffer(grid.pixel / 2)
-    for polygon in (face, within, piece.recesses):
-        shapely.prepare(polygon)
-    far = np.where(shapely.contains_xy(face, u, v), behind, slab)
+    far = np.where(grid.covered(piece.face.buffer(grid.pixel / 2)), behind, slab)
     if not piece.recesses.is_empty:
-        far[shapely.contains_xy(piece.recesses, u, v)] = REACH
-    far[~shapely.contains_xy(within, u, v)] = np.nan
+        far[grid.covered(piece.recesses)] = REACH
+    far[~grid.covered(region.buffer(grid.pixel / 2))] = np.nan
     return np.asarray(far)
 
 

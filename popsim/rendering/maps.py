@@ -13,7 +13,7 @@ from popsim.rendering.edges import feature_edges
 from popsim.rendering.light import LINE, Light, facing
 from popsim.rendering.parallel import map_chunks
 from popsim.rendering.ray_scene import Hits, RayScene
-from popsim.rendering.texture import Colours
+from popsim.rendering.texture import Colours, eight_bit
 from popsim.rendering.view import View
 
 Shading = Literal["auto", "flat", "shaded"]
@@ -157,6 +157,6 @@ class _Image:
     def painted(self, colours: Colours) -> UInt8Array:
         """Return the image (h, w, 4) with these colours (k, 4) of the pixels that see something."""
         image = np.zeros((len(self.origins), 4), dtype=np.uint8)
-        image[self.seen, :3] = np.rint(np.clip(colours[:, :3], 0, 1) * 255).astype(np.uint8)
+        image[self.seen, :3] = eight_bit(colours[:, :3])
         image[self.seen, 3] = 255
         return image.reshape(*self.view.shape, 4)

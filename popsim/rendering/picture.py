@@ -16,6 +16,7 @@ from popsim.rendering.frame import Frame, draw_with_rays
 from popsim.rendering.light import LINE, Light
 from popsim.rendering.ray_scene import RayScene
 from popsim.rendering.shadows import light_seen
+from popsim.rendering.texture import eight_bit
 
 Image = npt.NDArray[np.float32]
 Backend = Literal["auto", "rays", "opengl"]
@@ -156,5 +157,4 @@ def _on_background(image: Image, background: Sequence[int] | None) -> UInt8Array
         behind = np.append(rgba[:3] * rgba[3], rgba[3]).astype(np.float32)
     result = image + (1 - image[..., 3:]) * behind
     result[..., :3] /= np.maximum(result[..., 3:], np.float32(1e-6))
-    pixels: UInt8Array = np.rint(np.clip(result, 0, 1) * 255).astype(np.uint8)
-    return pixels
+    return eight_bit(result)

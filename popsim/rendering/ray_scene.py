@@ -120,8 +120,8 @@ class RayScene:
         origins: FloatArray,
         directions: FloatArray,
         *,
-        near: float = 0.0,
-        far: float = np.inf,
+        near: FloatArray | float = 0.0,
+        far: FloatArray | float = np.inf,
         through_holes: bool = True,
     ) -> Hits:
         """Return the first face that each ray meets.
@@ -133,17 +133,19 @@ class RayScene:
         directions:
             Of any length but 0, shape (n, 3) or (1, 3) for parallel rays.
         near, far:
-            Only what lies between these distances from the origins is met (give or take `tolerance`).
+            Only what lies between these distances from the origins is met (give or take `tolerance`); numbers,
+            or one for each ray, shape (n,).
         through_holes:
             Rays pass through texels and colours of alpha < 0.5.
         """
         origins, directions = _rays(origins, directions)
+        starts, stops = (np.broadcast_to(ends, len(origins)) for ends in (near, far))
         solid = self.paint.solid if through_holes else _everything
 
         def trace(part: slice) -> Hits:
             along = directions if len(directions) == 1 else directions[part]
             result = _no_hits(len(origins[part]))
-            for layer in self._layers(origins[part], along, near, far, solid):
+            for layer in self._layers(origins[part], along, starts[part], stops[part], solid):
                 at = layer.ray[layer.stops]
                 result.distance[at] = layer.distance[layer.stops]
                 result.face[at] = layer.face[layer.stops]
@@ -159,10 +161,11 @@ class RayScene:
         Crossings nearer to each other than `tolerance` (as on an edge between two faces) count once.
         """
         origins, directions = _rays(origins, directions)
+        start, stop = (np.broadcast_to(ends, len(origins)) for ends in (0.0, far))
 
         def trace(part: slice) -> Crossings:
             along = directions if len(directions) == 1 else directions[part]
-            layers = list(self._layers(origins[part], along, 0.0, far, _nothing))
+            layers = list(self._layers(origins[part], along, start[part], stop[part], _nothing))
             ray = np.concatenate([layer.ray for layer in layers] or [np.zeros(0, dtype=np.int64)])
             distance = np.concatenate([layer.distance for layer in layers] or [np.zeros(0)])
             face = np.concatenate([layer.face for layer in layers] or [np.zeros(0, dtype=np.int64)])
@@ -214,16 +217,16 @@ class RayScene:
         self,
         origins: FloatArray,
         directions: FloatArray,
-        near: float,
-        far: float,
+        near: FloatArray,
+        far: FloatArray,
         stops: Callable[[IntArray, FloatArray], BoolArray],
     ) -> Iterator[_Layer]:
         """Yield hit after hit of the rays that nothing has stopped yet."""
         live = np.arange(len(origins))
-        start = np.full(len(origins), near - self.tolerance)
+        start, stop = near - self.tolerance, far + self.tolerance
         for _ in range(MAX_LAYERS):
             along = directions if len(directions) == 1 else directions[live]
-            reach = np.maximum(far + self.tolerance - start, 0.0)
+            reach = np.maximum(stop[live] - start, 0.0)
             found = self._run(origins[live] + along * start[:, None], along, reach, output=True)
             met = found["primID"] >= 0
             rough = start[met] + found["tfar"][met].astype(np.float64) * (self.size / RADIUS)
