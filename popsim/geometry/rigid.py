@@ -39,14 +39,27 @@ def translation(offset: FloatArray) -> FloatArray:
 
 
 def turns_about(axis: FloatArray, point: FloatArray, angles: FloatArray) -> FloatArray:
-    """Rotations by angles (n,), rad, about a unit axis through a point, both (3,) (Rodrigues), shape (n, 4, 4)."""
-    x, y, z = axis
-    skew = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
-    sine, versine = np.sin(angles)[:, None, None], 2 * np.sin(angles / 2)[:, None, None] ** 2
-    turns = np.zeros((len(angles), 4, 4))
-    turns[:, :3, :3] = np.eye(3) + sine * skew + versine * (skew @ skew)
-    turns[:, :3, 3] = point - turns[:, :3, :3] @ point
-    turns[:, 3, 3] = 1
+    """Rotations about axes through points (Rodrigues).
+
+    Parameters
+    ----------
+    axis, point:
+        Unit direction and a point of each axis, shape (..., 3).
+    angles:
+        rad, of a shape (...) that fits to theirs: (n,) about one axis (3,), or (n, j) about axes (j, 3).
+
+    Returns
+    -------
+    Homogeneous matrices, shape (..., 4, 4).
+    """
+    x, y, z = np.moveaxis(np.asarray(axis, float), -1, 0)
+    zero = np.zeros_like(x)
+    skew = np.stack([zero, -z, y, z, zero, -x, -y, x, zero], axis=-1).reshape(*x.shape, 3, 3)
+    sine, versine = np.sin(angles)[..., None, None], 2 * np.sin(angles / 2)[..., None, None] ** 2
+    turns = np.zeros((*np.shape(sine)[:-2], 4, 4))
+    turns[..., :3, :3] = np.eye(3) + sine * skew + versine * (skew @ skew)
+    turns[..., :3, 3] = point - (turns[..., :3, :3] @ np.asarray(point)[..., None])[..., 0]
+    turns[..., 3, 3] = 1
     return turns
 
 

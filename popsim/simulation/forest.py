@@ -39,6 +39,19 @@ class Forest:
         return self._children.get(patch, ())
 
     @cached_property
+    def levels(self) -> tuple[list[int], ...]:
+        """Positions of the joints by their number from the page: those of one level hang on earlier ones alone."""
+        depth = dict.fromkeys(PAGES, 0)
+        found: list[list[int]] = []
+        for index, joint in enumerate(self.joints):
+            level = depth[joint.parent]
+            depth[joint.child] = level + 1
+            if level == len(found):
+                found.append([])
+            found[level].append(index)
+        return tuple(found)
+
+    @cached_property
     def _children(self) -> dict[str, tuple[TreeJoint, ...]]:
         found: dict[str, tuple[TreeJoint, ...]] = {}
         for joint in self.joints:

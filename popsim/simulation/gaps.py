@@ -6,6 +6,7 @@ import numpy as np
 
 from popsim.design import Hinge
 from popsim.geometry.arrays import FloatArray
+from popsim.geometry.rigid import transform
 from popsim.simulation.sweep import Sweep
 
 
@@ -51,9 +52,7 @@ def loop_gaps(sweep: Sweep, hinges: tuple[Hinge, ...]) -> Gaps:
     if not hinges:
         return Gaps(hinges, sweep.theta, np.zeros((len(sweep.theta), 0)))
     axes = np.array([hinge.points for hinge in hinges])
-    images = []
-    for side in (0, 1):
-        place = [sweep.index[hinge.patches[side]] for hinge in hinges]
-        poses = sweep.poses[:, place]
-        images.append(np.einsum("nhij,hkj->nhki", poses[..., :3, :3], axes) + poses[..., None, :3, 3])
-    return Gaps(hinges, sweep.theta, np.linalg.norm(images[0] - images[1], axis=-1).max(axis=-1))
+    first, second = (
+        transform(sweep.poses[:, [sweep.index[hinge.patches[side]] for hinge in hinges]], axes) for side in (0, 1)
+    )
+    return Gaps(hinges, sweep.theta, np.linalg.norm(first - second, axis=-1).max(axis=-1))

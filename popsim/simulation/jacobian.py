@@ -1,5 +1,8 @@
 """First-order motions that the hinges leave, from the recorded poses."""
 
+from dataclasses import dataclass
+from typing import NamedTuple
+
 import numpy as np
 
 from popsim.design import Design
@@ -7,6 +10,37 @@ from popsim.geometry.arrays import FloatArray, IntArray
 from popsim.geometry.plane import line_distance
 from popsim.geometry.rigid import transform
 from popsim.simulation.forest import Forest
+
+
+@dataclass(frozen=True, eq=False)
+class Group:
+    """Joints and loops that belong together: loops that share a joint are one group.
+
+    Attributes
+    ----------
+    columns, loops:
+        Positions of the joints in the forest and of the loops among its loops.
+    entries:
+        What is not zero in its matrix: the joints that move an end of a loop hinge.
+    """
+
+    columns: list[int]
+    loops: list[int]
+    entries: "Entries"
+
+
+class Entries(NamedTuple):
+    """One entry per loop, side of its hinge, and joint that carries that side and not the other.
+
+    Position of the loop and of the joint in their group, of the patch in the design, 1 or -1 for the first or the
+    second patch of the hinge, each of shape (k,); ends of the hinge in the open pose, shape (k, 2, 3).
+    """
+
+    row: IntArray
+    column: IntArray
+    patch: IntArray
+    sign: FloatArray
+    ends: FloatArray
 
 
 class LoopJacobian:
@@ -27,7 +61,7 @@ class LoopJacobian:
         )
         self._lengths = np.array([joint.hinge.length for joint in forest.joints])
         self._paths = self._loop_paths()
-        self.groups = self._group()
+        self.groups = self._groups()
 
     def nullity(self, poses: FloatArray, threshold: float) -> tuple[IntArray, FloatArray]:
         """Number of free motions and the least singular value, at poses (n, p, 4, 4); shapes (n,), (n,).
@@ -36,44 +70,39 @@ class LoopJacobian:
         """
         free = np.zeros(len(poses), dtype=np.int64)
         least = np.full(len(poses), np.inf)
-        for columns, loops in self.groups:
-            values = self._singular_values(poses, columns, loops)
+        for group in self.groups:
+            values = self._singular_values(poses, group)
             free += (values < threshold).sum(axis=-1)
             least = np.minimum(least, values.min(axis=-1))
         return free, least
 
-    def _singular_values(self, poses: FloatArray, columns: list[int], loops: list[int]) -> FloatArray:
+    def _singular_values(self, poses: FloatArray, group: Group) -> FloatArray:
         """All of one group, one per column (0 where there are fewer rows), shape (n, c)."""
-        matrix = self.matrix(poses, columns, loops)
-        values = np.linalg.svd(matrix, compute_uv=False) if loops else np.zeros((len(poses), 0))
-        missing = len(columns) - values.shape[-1]
-        return np.pad(values, ((0, 0), (0, max(missing, 0))))
+        if not group.loops:
+            return np.zeros((len(poses), len(group.columns)))
+        values = np.linalg.svd(self.matrix(poses, group), compute_uv=False)
+        return np.pad(values, ((0, 0), (0, max(len(group.columns) - values.shape[-1], 0))))
 
-    def matrix(self, poses: FloatArray, columns: list[int], loops: list[int]) -> FloatArray:
+    def matrix(self, poses: FloatArray, group: Group) -> FloatArray:
         """Gap (first patch minus second) per unit of each joint of a group, shape (n, 6 loops, columns)."""
-        local = {column: index for index, column in enumerate(columns)}
+        count, columns, entries = len(poses), group.columns, group.entries
         ends = transform(poses[:, self._children[columns]], self._axes[columns])
         anchor = ends[:, :, 0]
         direction = (ends[:, :, 1] - anchor) / (self._lengths * self.reach)[columns][:, None]
-        matrix = np.zeros((len(poses), 6 * len(loops), len(columns)))
-        for row, loop in enumerate(loops):
-            hinge = self._forest.loops[loop]
-            for sign, name in zip((1.0, -1.0), hinge.patches, strict=True):
-                chain = [local[column] for column in self._chain(name) if column in self._paths[loop]]
-                points = transform(poses[:, self._place[name]], hinge.points)
-                arms = points[:, None] - anchor[:, chain, None]
-                swing = _cross(direction[:, chain, None], arms).reshape(len(poses), len(chain), 6)
-                matrix[:, 6 * row : 6 * row + 6, chain] = sign * np.swapaxes(swing, 1, 2)
-        return matrix
+        arms = transform(poses[:, entries.patch], entries.ends) - anchor[:, entries.column, None]
+        swing = _cross((entries.sign[:, None] * direction[:, entries.column])[:, :, None], arms)
+        matrix = np.zeros((count, len(group.loops), len(columns), 6))
+        matrix[:, entries.row, entries.column] = swing.reshape(count, -1, 6)
+        return np.swapaxes(matrix, 2, 3).reshape(count, 6 * len(group.loops), len(columns))
 
     def residual(self, poses: FloatArray, loops: list[int]) -> FloatArray:
         """Gaps at both ends of each loop hinge, first patch minus second, mm, shape (n, 6 loops)."""
-        rows = []
-        for loop in loops:
-            hinge = self._forest.loops[loop]
-            first, second = (transform(poses[:, self._place[name]], hinge.points) for name in hinge.patches)
-            rows.append((first - second).reshape(len(poses), 6))
-        return np.concatenate(rows, axis=1)
+        hinges = [self._forest.loops[loop] for loop in loops]
+        axes = np.array([hinge.points for hinge in hinges]).reshape(-1, 2, 3)
+        first, second = (
+            transform(poses[:, [self._place[hinge.patches[side]] for hinge in hinges]], axes) for side in (0, 1)
+        )
+        return np.asarray((first - second).reshape(len(poses), 6 * len(loops)))
 
     def _chain(self, name: str) -> list[int]:
         """Joints from a patch down to its page."""
@@ -91,8 +120,7 @@ class LoopJacobian:
             set(self._chain(hinge.patches[0])) ^ set(self._chain(hinge.patches[1])) for hinge in self._forest.loops
         ]
 
-    def _group(self) -> list[tuple[list[int], list[int]]]:
-        """Joints and loops that belong together: loops that share a joint are one group."""
+    def _groups(self) -> list[Group]:
         root = list(range(len(self._forest.joints)))
 
         def find(index: int) -> int:
@@ -111,7 +139,20 @@ class LoopJacobian:
         loops: dict[int, list[int]] = {key: [] for key in columns}
         for index, path in enumerate(self._paths):
             loops[find(min(path))].append(index)
-        return [(columns[key], loops[key]) for key in columns]
+        return [Group(columns[key], loops[key], self._entries(columns[key], loops[key])) for key in columns]
+
+    def _entries(self, columns: list[int], loops: list[int]) -> Entries:
+        local = {column: index for index, column in enumerate(columns)}
+        rows = [
+            (row, local[column], self._place[name], sign, self._forest.loops[loop].points)
+            for row, loop in enumerate(loops)
+            for sign, name in zip((1.0, -1.0), self._forest.loops[loop].patches, strict=True)
+            for column in self._chain(name)
+            if column in self._paths[loop]
+        ]
+        places = np.array([entry[:3] for entry in rows], dtype=np.int64).reshape(-1, 3)
+        signs, ends = np.array([entry[3] for entry in rows]), np.array([entry[4] for entry in rows])
+        return Entries(places[:, 0], places[:, 1], places[:, 2], signs, ends.reshape(-1, 2, 3))
 
 
 def _reach(design: Design, child: str, axis: FloatArray) -> float:

@@ -21,11 +21,19 @@ def chain_poses(rig: Rig, theta: FloatArray, angles: FloatArray) -> FloatArray:
     angles:
         Angle of each joint of the forest, rad, in its order, shape (n, j).
     """
+    joints = rig.forest.joints
     place = {patch.id: index for index, patch in enumerate(rig.design.patches)}
     poses = np.zeros((len(theta), len(place), 4, 4))
     for page, side in zip(PAGES, (Side.GROUND, Side.BACKDROP), strict=True):
         poses[:, place[page]] = page_poses(side, theta)
-    for index, joint in enumerate(rig.forest.joints):
-        turn = turns_about(rig.joint_axes[index], joint.hinge.points[0], angles[:, index])
-        poses[:, place[joint.child]] = poses[:, place[joint.parent]] @ turn
+    if not joints:
+        return poses
+    points = np.array([joint.hinge.points[0] for joint in joints])
+    turns = turns_about(rig.joint_axes, points, angles)
+    for level in rig.forest.levels:
+        children, parents = (
+            [place[name] for name in names]
+            for names in zip(*((joints[k].child, joints[k].parent) for k in level), strict=True)
+        )
+        poses[:, children] = poses[:, parents] @ turns[:, level]
     return poses

@@ -13,7 +13,7 @@ import numpy as np
 
 from popsim.geometry.arrays import FloatArray
 from popsim.simulation.gaps import loop_gaps
-from popsim.simulation.jacobian import LoopJacobian
+from popsim.simulation.jacobian import Group, LoopJacobian
 from popsim.simulation.kinematics import chain_poses
 from popsim.simulation.rig import Rig
 from popsim.simulation.sweep import Sweep
@@ -64,25 +64,22 @@ def _improve(rig: Rig, theta: FloatArray, angles: FloatArray) -> FloatArray:
         left, poses = left[open_still], poses[open_still]
         if not len(left):
             break
-        for columns, loops in jacobian.groups:
-            if loops:
-                step = _step(jacobian, poses, columns, loops, rig.scale)
-                angles[np.ix_(left, columns)] += step * scale[columns]
+        for group in jacobian.groups:
+            if group.loops:
+                step = _step(jacobian, poses, group, rig.scale)
+                angles[np.ix_(left, group.columns)] += step * scale[group.columns]
         angles[left] = np.clip(angles[left], lower, upper)
     return angles
 
 
-def _step(
-    jacobian: LoopJacobian, poses: FloatArray, columns: list[int], loops: list[int], size: float
-) -> FloatArray:
+def _step(jacobian: LoopJacobian, poses: FloatArray, group: Group, size: float) -> FloatArray:
     """Step of the joints of one group, in mm at the far end of their patches, shape (n, c).
 
     Damping in proportion to the gap keeps the convergence fast where the Jacobian drops rank.
     """
-    matrix = jacobian.matrix(poses, columns, loops)
-    gap = jacobian.residual(poses, loops)
+    matrix = jacobian.matrix(poses, group)
+    gap = jacobian.residual(poses, group.loops)
     damping = np.linalg.norm(gap, axis=1) / size
-    normal = np.einsum("nri,nrj->nij", matrix, matrix)
-    normal += (damping + FLOOR)[:, None, None] * np.eye(len(columns))
-    slope = np.einsum("nri,nr->ni", matrix, gap)
-    return np.asarray(-np.linalg.solve(normal, slope[..., None])[..., 0])
+    across = np.swapaxes(matrix, 1, 2)
+    normal = across @ matrix + (damping + FLOOR)[:, None, None] * np.eye(len(group.columns))
+    return np.asarray(-np.linalg.solve(normal, across @ gap[..., None])[..., 0])
