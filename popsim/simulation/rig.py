@@ -1,5 +1,7 @@
 """A design hung on its two pages in MuJoCo."""
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from typing import Any
 
 import numpy as np
@@ -79,9 +81,32 @@ class Rig:
         self.data.qacc_warmstart[:] = 0
         self.hold(quaternions)
 
+    @contextmanager
+    def without_preloads(self) -> Iterator[None]:
+        """Take the preloads off the flat creases for a while: what holds a patch must be the structure."""
+        stiffness = self.model.jnt_stiffness.copy()
+        self.model.jnt_stiffness[:] = 0
+        try:
+            yield
+        finally:
+            self.model.jnt_stiffness[:] = stiffness
+
     def push(self, wrenches: FloatArray | None) -> None:
         """Apply forces and torques to the bodies until told otherwise, units of the model, shape (bodies, 6)."""
         self.data.xfrc_applied[:] = 0 if wrenches is None else wrenches
+
+    def load(self, wrenches: FloatArray) -> None:
+        """Apply forces and moments to the patches where they are, until :meth:`push` is told otherwise.
+
+        In the order of the design, moments about the origin of the card frame, in any unit of force and that unit
+        times mm, shape (p, 6).
+        """
+        self._place(self.model, self.data)
+        force, moment = wrenches[:, :3], wrenches[:, 3:] / self.scale
+        pushes = np.zeros((self.model.nbody, 6))
+        pushes[self._bodies, :3] = force
+        pushes[self._bodies, 3:] = moment - np.cross(self.data.xipos[self._bodies], force)
+        self.push(pushes)
 
     def press(self, count: int) -> None:
         """Steps from rest in which all plates are pushed into the plane y = 0, as the closed pages do it.

@@ -77,16 +77,10 @@ def free_motions(rig: Rig, sweep: Sweep) -> list[FreeMotions]:
 
 
 def push_test(rig: Rig, sweep: Sweep) -> list[Push]:
-    """Push all patches at the closing poses nearest to PUSH_DEGREES, release them, and measure.
-
-    Crease preloads are taken off: what brings a patch back must be the structure.
-    """
+    """Push all patches at the closing poses nearest to PUSH_DEGREES, release them, and measure."""
     random = np.random.default_rng(SEED)
-    stiffness = rig.model.jnt_stiffness.copy()
-    rig.model.jnt_stiffness[:] = 0
-    pushes = [_push(rig, sweep, frame, random) for frame in sweep.closing_at(PUSH_DEGREES)]
-    rig.model.jnt_stiffness[:] = stiffness
-    return pushes
+    with rig.without_preloads():
+        return [_push(rig, sweep, frame, random) for frame in sweep.closing_at(PUSH_DEGREES)]
 
 
 def _push(rig: Rig, sweep: Sweep, frame: int, random: np.random.Generator) -> Push:

@@ -45,8 +45,7 @@ def free_turn(design: Design, hinge: Hinge) -> Turn:
     """Where the two patches of `hinge` would lie on each other if they turned that far."""
     axis = (hinge.points[1] - hinge.points[0]) / hinge.length
     first, second = (design.patch_by_id[name] for name in hinge.patches)
-    start = [np.cross(patch.plane.normal, axis) for patch in (first, second)]
-    between = float(np.arctan2(axis @ np.cross(start[0], start[1]), start[0] @ start[1]))
+    between = angle_between(design, hinge)
     halves = [_halves(patch, hinge, axis) for patch in (first, second)]
     lower, upper = -np.inf, np.inf
     for side, part in halves[0].items():
@@ -56,6 +55,17 @@ def free_turn(design: Design, hinge: Hinge) -> Turn:
                 if min(apart, 2 * np.pi - apart) > TOUCHING:
                     lower, upper = max(lower, -apart), min(upper, 2 * np.pi - apart)
     return Turn(hinge, lower, upper)
+
+
+def angle_between(design: Design, hinge: Hinge) -> float:
+    """Angle in the open pose from the first patch of `hinge` to the second, rad, right-handed about its axis.
+
+    Between the sides to which the normal of each patch turned by the axis points; whether a patch lies there or
+    on the other side of its hinge (or on both) is not asked.
+    """
+    axis = (hinge.points[1] - hinge.points[0]) / hinge.length
+    first, second = (np.cross(design.patch_by_id[name].plane.normal, axis) for name in hinge.patches)
+    return float(np.arctan2(axis @ np.cross(first, second), first @ second))
 
 
 def turned(hinge: Hinge, first: FloatArray, second: FloatArray) -> FloatArray:
