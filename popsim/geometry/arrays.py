@@ -41,3 +41,10 @@ def locked(values: npt.ArrayLike, shape: Sequence[int | None], name: str) -> Flo
         raise GeometryError(f"{name} must be finite numbers; found NaN or infinity")
     array.setflags(write=False)
     return array
+
+
+def cross(first: FloatArray, second: FloatArray) -> FloatArray:
+    """Cross products of vectors (..., 3); numpy's own is slow on many small arrays."""
+    x, y, z = first[..., 0], first[..., 1], first[..., 2]
+    a, b, c = second[..., 0], second[..., 1], second[..., 2]
+    return np.stack([y * c - z * b, z * a - x * c, x * b - y * a], axis=-1)

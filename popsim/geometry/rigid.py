@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from popsim.geometry.arrays import FloatArray
+from popsim.geometry.arrays import FloatArray, cross
 
 
 class Frame(NamedTuple):
@@ -65,5 +65,5 @@ def turns_about(axis: FloatArray, point: FloatArray, angles: FloatArray) -> Floa
 
 def _axes(frame: Frame) -> FloatArray:
     """Rotation matrices whose columns are the two axes and their cross product, shape (n, 3, 3)."""
-    columns = [frame.first, frame.second, np.cross(frame.first, frame.second)]
+    columns = [frame.first, frame.second, cross(frame.first, frame.second)]
     return np.stack(np.broadcast_arrays(*columns), axis=-1)

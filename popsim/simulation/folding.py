@@ -2,9 +2,11 @@
 
 from dataclasses import dataclass
 
+import numpy as np
+
 from popsim.design import Design
 from popsim.simulation.gaps import Gaps, loop_gaps
-from popsim.simulation.passing import passing_depth
+from popsim.simulation.passing import passing_depths
 from popsim.simulation.polish import polished
 from popsim.simulation.rig import Rig
 from popsim.simulation.solver import BRISK, PATIENT, Pacing
@@ -47,11 +49,9 @@ def _fold(design: Design, angles: int, pacing: Pacing) -> Folding:
     guarded: frozenset[str] = frozenset()
     while True:
         folding = _fold_once(design, angles, pacing, guarded)
-        passed = {
-            hinge.id
-            for hinge in folding.rig.forest.loops
-            if passing_depth(folding.sweep, folding.rig.turns[hinge.id]).max() > PASSED
-        }
+        loops = folding.rig.forest.loops
+        depths = passing_depths(folding.sweep, [folding.rig.turns[hinge.id] for hinge in loops])
+        passed = {loops[column].id for column in np.flatnonzero(depths.max(axis=0) > PASSED)}
         if passed <= guarded or not folding.sweep.complete:
             return folding
         guarded |= passed

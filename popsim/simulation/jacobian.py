@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 
 from popsim.design import Design
-from popsim.geometry.arrays import FloatArray, IntArray
+from popsim.geometry.arrays import FloatArray, IntArray, cross
 from popsim.geometry.plane import line_distance
 from popsim.geometry.rigid import transform
 from popsim.simulation.forest import Forest
@@ -90,7 +90,7 @@ class LoopJacobian:
         anchor = ends[:, :, 0]
         direction = (ends[:, :, 1] - anchor) / (self._lengths * self.reach)[columns][:, None]
         arms = transform(poses[:, entries.patch], entries.ends) - anchor[:, entries.column, None]
-        swing = _cross((entries.sign[:, None] * direction[:, entries.column])[:, :, None], arms)
+        swing = cross((entries.sign[:, None] * direction[:, entries.column])[:, :, None], arms)
         matrix = np.zeros((count, len(group.loops), len(columns), 6))
         matrix[:, entries.row, entries.column] = swing.reshape(count, -1, 6)
         return np.swapaxes(matrix, 2, 3).reshape(count, 6 * len(group.loops), len(columns))
@@ -158,10 +158,3 @@ class LoopJacobian:
 def _reach(design: Design, child: str, axis: FloatArray) -> float:
     """Distance of the farthest point of a patch from an axis, mm."""
     return float(line_distance(design.patch_by_id[child].points, axis).max())
-
-
-def _cross(first: FloatArray, second: FloatArray) -> FloatArray:
-    """Cross product over the last axis; numpy's own is slow on many small arrays."""
-    x, y, z = np.moveaxis(first, -1, 0)
-    a, b, c = np.moveaxis(second, -1, 0)
-    return np.stack([y * c - z * b, z * a - x * c, x * b - y * a], axis=-1)

@@ -13,7 +13,7 @@ from popsim.simulation.engine import load_mujoco
 from popsim.simulation.forest import PAGES, Forest, spanning_forest
 from popsim.simulation.mjcf import Recipe, size_of, write_mjcf
 from popsim.simulation.solver import Pacing
-from popsim.simulation.turning import free_turn
+from popsim.simulation.turning import free_turns
 
 PRESSING = 3e5
 """Acceleration over height, 1/s^2: takes off a third of what is left in each step from rest."""
@@ -43,7 +43,7 @@ class Rig:
         mujoco = load_mujoco()
         self.design = design
         self.forest: Forest = spanning_forest(design, guarded)
-        self.turns = {hinge.id: free_turn(design, hinge) for hinge in design.hinges if hinge.kind != "central"}
+        self.turns = free_turns(design, [hinge for hinge in design.hinges if hinge.kind != "central"])
         self.scale = size_of(design)
         xml = write_mjcf(design, self.forest, self.turns, Recipe(self.scale, pacing.damping, pacing.impedance))
         self.model: Any = mujoco.MjModel.from_xml_string(xml)

@@ -7,7 +7,7 @@ from popsim.simulation.forest import PAGES, TreeJoint, spanning_forest
 from popsim.simulation.mjcf import Recipe, body_tree, loops, mass_and_joint, options, size_of
 from popsim.simulation.plates import mesh_assets, mesh_geoms, prisms
 from popsim.simulation.solver import BRISK
-from popsim.simulation.turning import free_turn
+from popsim.simulation.turning import free_turns
 
 PAPER_SKIN = 5e-4
 """Half thickness of the drawn plates, over the size of the pop-up."""
@@ -36,7 +36,7 @@ def to_mjcf(design: Design) -> str:
     """
     recipe = Recipe(size_of(design), DAMPING, BRISK.impedance)
     forest = spanning_forest(design)
-    turns = {joint.hinge.id: free_turn(design, joint.hinge) for joint in forest.joints}
+    turns = free_turns(design, [joint.hinge for joint in forest.joints])
     parts = {patch.id: prisms(patch, recipe.scale, PAPER_SKIN) for patch in design.patches}
     starts = dict(zip(parts, np.cumsum([0, *map(len, parts.values())]).tolist(), strict=False))
 

@@ -10,6 +10,7 @@ from popsim.simulation.folding import fold_design
 from popsim.simulation.gaps import Gaps
 from popsim.simulation.passing import find_passing
 from popsim.simulation.piercing import find_piercings
+from popsim.simulation.rig import Rig
 from popsim.simulation.stability import FreeMotions, Push, free_motions, push_test
 from popsim.simulation.sweep import Sweep
 from popsim.verification.settings import Settings
@@ -21,10 +22,8 @@ class Evidence:
 
     Attributes
     ----------
-    sweep, gaps:
-        The recorded motion and the loop gaps in it.
-    scale:
-        Size of the pop-up, mm.
+    rig, sweep, gaps:
+        What was folded, the recorded motion, and the loop gaps in it.
     free, pushes:
         Free motions and finite tests with the pages held; empty where loops do not close.
     flat, reopened, protruding:
@@ -33,15 +32,20 @@ class Evidence:
         Patches that cross while closing, the deepest first.
     """
 
+    rig: Rig
     sweep: Sweep
     gaps: Gaps
-    scale: float
     free: tuple[FreeMotions, ...] = ()
     pushes: tuple[Push, ...] = ()
     flat: Farthest | None = None
     reopened: Farthest | None = None
     protruding: Farthest | None = None
     contacts: tuple[Contact, ...] = ()
+
+    @property
+    def scale(self) -> float:
+        """Size of the pop-up, mm."""
+        return self.rig.scale
 
     @property
     def free_count(self) -> int:
@@ -54,16 +58,16 @@ def gather(design: Design, settings: Settings) -> Evidence:
     folding = fold_design(design, settings.angles)
     rig, sweep, gaps = folding.rig, folding.sweep, folding.gaps
     if not sweep.complete or not gaps.largest <= settings.play:
-        return Evidence(sweep, gaps, rig.scale)
+        return Evidence(rig, sweep, gaps)
     contacts = [
         *find_crossings(sweep, settings.crossing),
         *find_piercings(sweep, settings.crossing, gaps.largest),
-        *find_passing(sweep, rig.turns.values(), settings.crossing),
+        *find_passing(sweep, list(rig.turns.values()), settings.crossing),
     ]
     return Evidence(
+        rig=rig,
         sweep=sweep,
         gaps=gaps,
-        scale=rig.scale,
         free=tuple(free_motions(rig, sweep)),
         pushes=tuple(push_test(rig, sweep)),
         flat=flatness(sweep),

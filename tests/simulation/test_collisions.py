@@ -35,7 +35,7 @@ def test_no_false_alarm(design):
     folding = fold_design(design, 90)
     assert find_crossings(folding.sweep, TOLERANCE) == []
     assert find_piercings(folding.sweep, TOLERANCE, folding.gaps.largest) == []
-    assert find_passing(folding.sweep, folding.rig.turns.values(), TOLERANCE) == []
+    assert find_passing(folding.sweep, list(folding.rig.turns.values()), TOLERANCE) == []
 
 
 def test_boxes_whose_ranges_overlap_collide():

@@ -11,7 +11,7 @@ from popsim.simulation import fold_design
 from popsim.simulation.extents import reopening
 from popsim.simulation.forest import PAGES, spanning_forest
 from popsim.simulation.kinematics import chain_poses
-from popsim.simulation.passing import find_passing, passing_depth
+from popsim.simulation.passing import find_passing, passing_depths
 from popsim.simulation.rig import Rig, page_quaternions
 from popsim.simulation.solver import BRISK
 from popsim.simulation.turning import Turn, free_turn, turned
@@ -88,4 +88,4 @@ def test_a_step_as_high_as_its_wall_opens_to_where_it_was(height):
     step = StepFold("step", corners(high)[0], (-3, 3), 5, height)
     folding = fold_design(assemble(CARD, [low, high, step]), 60)
     assert reopening(folding.sweep).value < 0.01
-    assert all(passing_depth(folding.sweep, turn).max() < 0.05 for turn in folding.rig.turns.values())
+    assert passing_depths(folding.sweep, list(folding.rig.turns.values())).max() < 0.05
