@@ -60,6 +60,11 @@ class Plane:
         u /= np.linalg.norm(u)
         return Plane(origin, u, _cross(normal, u))
 
+    def moved(self, pose: FloatArray) -> "Plane":
+        """The plane moved by a rigid motion (4, 4); flat coordinates stay what they are."""
+        turn = np.asarray(pose)[:3, :3]
+        return Plane(turn @ self.origin + pose[:3, 3], turn @ self.u, turn @ self.v)
+
     def flat(self, points: FloatArray) -> FloatArray:
         """Coordinates along u and v of points (..., 3); shape (..., 2)."""
         rel = np.asarray(points, float) - self.origin

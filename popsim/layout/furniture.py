@@ -1,14 +1,13 @@
 """What stands round the pieces on every sheet: title, banner, legend, scale bars, reproduction line."""
 
 from collections.abc import Iterator
-from textwrap import wrap
 
 import numpy as np
 
 from popsim.layout.paper import Paper
 from popsim.layout.registration import REGISTRATIONS
 from popsim.layout.settings import HEADER, LayoutSettings
-from popsim.layout.sheet import TEXT_WIDTH, Area, Line, Mark, Role, Text
+from popsim.layout.sheet import TEXT_WIDTH, Area, Line, Mark, Role, Text, wrapped
 
 SMALL = 2.2
 """mm; font size of the legend."""
@@ -56,8 +55,7 @@ def _head(paper: Paper, settings: LayoutSettings, title: str, banner: str | None
 
 
 def _footer(footer: str, left: float, right: float, base: float) -> Iterator[Text]:
-    letters = int((right - left) / (TEXT_WIDTH * FINE))
-    lines = wrap(footer, letters)[:2]
+    lines = wrapped(footer, FINE, right - left)[:2]
     for k, line in enumerate(reversed(lines)):
         yield Text(Role.LABEL, line, np.array([left, base + 0.5 + 2.2 * k]), FINE)
 

@@ -5,6 +5,7 @@ Coordinates are mm from the lower left corner of the paper, y up, at true scale.
 
 from dataclasses import dataclass, replace
 from enum import Enum
+from textwrap import wrap
 from typing import Literal
 
 from popsim.geometry.arrays import FloatArray, locked
@@ -135,3 +136,8 @@ TEXT_WIDTH = 0.62
 def text_width(text: str, size: float) -> float:
     """Estimated width of a text, mm."""
     return TEXT_WIDTH * size * len(text)
+
+
+def wrapped(text: str, size: float, width: float) -> list[str]:
+    """Lines of a text whose estimated width is at most `width` mm; a single longer word stays whole."""
+    return wrap(text, max(1, int(width / (TEXT_WIDTH * size))), break_long_words=False)
