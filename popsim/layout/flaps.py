@@ -8,6 +8,8 @@ there. The site that leaves most of the flap wins, a hidden one first.
 from collections.abc import Mapping
 from typing import NamedTuple
 
+import numpy as np
+
 from popsim.layout.bench import Bench
 from popsim.layout.flap import Flap
 from popsim.layout.joints import Joint
@@ -19,6 +21,10 @@ from popsim.layout.teeth import share_edges
 
 ROUNDS = 5
 """Times that flaps are made shallower where no room was left for one."""
+
+
+FLIMSY = 4.5
+"""mm; a flap on a stretch shorter than this holds next to nothing: it is left out where its joint has a longer one."""
 
 
 class Task(NamedTuple):
@@ -57,9 +63,7 @@ def _plan(
     bench: Bench, depths: Mapping[str, float], settings: LayoutSettings
 ) -> tuple[tuple[Flap, ...], tuple[Joint, ...]]:
     """One round of planning with the given depth of flaps by the part that they land on."""
-    tasks = [
-        Task(joint, k, tuple(bench.sites(joint, k))) for joint in bench.open for k in range(len(joint.stretches))
-    ]
+    tasks = [Task(joint, k, tuple(bench.sites(joint, k))) for joint in bench.open for k in _worth_gluing(joint)]
     found: dict[tuple[str, int], Flap] = {}
     for task in sorted(tasks, key=lambda task: task.freedom):
         flap = bench.place(task.choices, depths, settings)
@@ -69,3 +73,9 @@ def _plan(
     held = {flap.joint.id for flap in flaps}
     left = {task.joint.id: task.joint for task in tasks if task.joint.id not in held}
     return flaps, tuple(left.values())
+
+
+def _worth_gluing(joint: Joint) -> list[int]:
+    """The stretches of a joint that get a flap."""
+    lengths = [float(np.linalg.norm(ends[1] - ends[0])) for ends in joint.stretches]
+    return [k for k, length in enumerate(lengths) if length >= min(FLIMSY, max(lengths))]

@@ -1,4 +1,5 @@
-"""Joints: where two parts meet. Each hinge of the design is one, or one per pair of parts that it runs over."""
+"""Joints: where two parts meet. All hinges between two patches lie on one line and make one joint, or one per pair
+of parts that they run over."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
@@ -26,9 +27,9 @@ class Joint:
     Attributes
     ----------
     id:
-        The hinge's id, with "/k" where the hinge runs over several pairs of parts; "seam ..." within one patch.
-    hinge:
-        The hinge it is (part) of; None for a seam, which never turns.
+        The first hinge's id, with "/k" where the hinges run over several pairs of parts; "seam ..." within one patch.
+    hinges:
+        The hinges that it is (part) of: contours cut a line into several. None for a seam, which never turns.
     parts:
         Ids of the two parts.
     stretches:
@@ -36,9 +37,14 @@ class Joint:
     """
 
     id: str
-    hinge: Hinge | None
+    hinges: tuple[Hinge, ...]
     parts: tuple[str, str]
     stretches: tuple[FloatArray, ...]
+
+    @property
+    def hinge(self) -> Hinge | None:
+        """The first hinge, which says for all how the joint turns; None for a seam."""
+        return self.hinges[0] if self.hinges else None
 
     @property
     def length(self) -> float:
@@ -60,29 +66,45 @@ def find_joints(design: Design, parts: tuple[Part, ...]) -> tuple[Joint, ...]:
     by_patch: dict[str, list[Part]] = {}
     for part in parts:
         by_patch.setdefault(part.patch.id, []).append(part)
-    joints: list[Joint] = []
+    together: dict[tuple[object, ...], list[Hinge]] = {}
     for hinge in design.hinges:
-        joints += _of_hinge(hinge, by_patch)
+        together.setdefault((frozenset(hinge.patches), hinge.kind, hinge.crease), []).append(hinge)
+    joints: list[Joint] = []
+    for hinges in together.values():
+        joints += _of_hinges(tuple(hinges), by_patch)
     for pieces in by_patch.values():
         joints += _seams(pieces)
     return tuple(joints)
 
 
-def _of_hinge(hinge: Hinge, by_patch: dict[str, list[Part]]) -> list[Joint]:
-    pairs = [(a, b) for a in by_patch[hinge.patches[0]] for b in by_patch[hinge.patches[1]]]
-    along = {part.id: _covered(part, hinge.points) for pair in pairs for part in pair}
+def _of_hinges(hinges: tuple[Hinge, ...], by_patch: dict[str, list[Part]]) -> list[Joint]:
+    """Joints along one line, by the pairs of parts that have paper there."""
+    name, patches = hinges[0].id, hinges[0].patches
+    axis, spans = _line(hinges)
+    pairs = [(a, b) for a in by_patch[patches[0]] for b in by_patch[patches[1]]]
+    along = {part.id: list(_common(spans, _covered(part, axis))) for pair in pairs for part in pair}
     found: list[Joint] = []
     for first, second in pairs:
         common = list(_common(along[first.id], along[second.id]))
         if not common and len(pairs) == 1:  # paper meets beside the hinge only by a hair: trust the design
-            common = [(0.0, hinge.length)]
+            common = spans
         if common:
-            found.append(Joint(hinge.id, hinge, (first.id, second.id), _stretches(hinge.points, common)))
+            found.append(Joint(name, hinges, (first.id, second.id), _stretches(axis, common)))
     longest = max(joint.length for joint in found)
     held = [joint for joint in found if joint.length >= min(LEAST_SHARE, longest)]
     if len(held) == 1:
         return held
-    return [replace(joint, id=f"{hinge.id}/{k}") for k, joint in enumerate(held, 1)]
+    return [replace(joint, id=f"{name}/{k}") for k, joint in enumerate(held, 1)]
+
+
+def _line(hinges: tuple[Hinge, ...]) -> tuple[FloatArray, list[tuple[float, float]]]:
+    """The line (2, 3) from the first to the last end of some hinges, and where on it each of them runs, mm."""
+    start = hinges[0].points[0]
+    direction = (hinges[0].points[1] - start) / hinges[0].length
+    ends = np.sort(np.array([(hinge.points - start) @ direction for hinge in hinges]), axis=1)
+    low, high = float(ends.min()), float(ends.max())
+    axis = start + np.array([[low], [high]]) * direction
+    return axis, sorted((float(a) - low, float(b) - low) for a, b in ends)
 
 
 def _covered(part: Part, axis: FloatArray) -> list[tuple[float, float]]:
@@ -127,4 +149,4 @@ def _seams(pieces: list[Part]) -> Iterator[Joint]:
         if lines:
             ends = [shapely.get_coordinates(line)[[0, -1]] for line in lines]
             stretches = tuple(first.plane.lift(pair) for pair in ends)
-            yield Joint(f"seam {first.id}-{second.id}", None, (first.id, second.id), stretches)
+            yield Joint(f"seam {first.id}-{second.id}", (), (first.id, second.id), stretches)

@@ -164,3 +164,27 @@ def test_a_net_opens_where_it_leaves_no_room_for_a_flap() -> None:
     assert (flap.carrier, flap.target) == ("W", "X")
     without = lay_out(design([wall_shape, lid], hinges[:2]))
     assert without.piece_of["W"] is without.piece_of["T"]
+
+
+def notched(*feet: tuple[float, float]) -> Design:
+    """A wall that stands on some stretches of its foot alone; a hinge for each."""
+    rim = [(x, 20.0, z) for low, high in feet for x, z in ((low, 6.0), (low, 0.0), (high, 0.0), (high, 6.0))]
+    outline = (*rim[1:-1], (feet[-1][1], 20.0, 20.0), (feet[0][0], 20.0, 20.0))
+    standing = Patch(id="W", outline=outline)
+    return design([standing], [foot(f"g{k}", "W", (a, 20.0), (b, 20.0)) for k, (a, b) in enumerate(feet)])
+
+
+def test_hinges_on_one_line_are_one_joint_with_one_number() -> None:
+    layout = lay_out(notched((-30.0, -10.0), (0.0, 20.0)))
+    (joint,) = (joint for joint in layout.joints if "W" in joint.parts)
+    assert [hinge.id for hinge in joint.hinges] == ["g0", "g1"]
+    assert [np.ptp(ends[:, 0]) for ends in joint.stretches] == pytest.approx([20.0, 20.0])
+    assert layout.numbers == {"g0": 1}
+    assert [flap.stretch for flap in layout.flaps] == [0, 1]
+
+
+def test_a_stretch_too_short_to_hold_gets_no_flap_beside_a_longer_one() -> None:
+    layout = lay_out(notched((-30.0, -27.0), (0.0, 20.0)))
+    assert [flap.stretch for flap in layout.flaps] == [1]
+    alone = lay_out(notched((-30.0, -27.0)))
+    assert len(alone.flaps) == 1
