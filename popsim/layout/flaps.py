@@ -24,7 +24,7 @@ ROUNDS = 5
 
 
 FLIMSY = 4.5
-"""mm; a flap on a stretch shorter than this holds next to nothing: it is left out where its joint has a longer one."""
+"""mm; flaps on shorter stretches hold next to nothing: they are left out where the joint has a longer one."""
 
 
 class Task(NamedTuple):

@@ -1,5 +1,7 @@
-"""Joints: where two parts meet. All hinges between two patches lie on one line and make one joint, or one per pair
-of parts that they run over."""
+"""Joints: where two parts meet.
+
+All hinges between two patches lie on one line and make one joint, or one per pair of parts that they run over.
+"""
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
@@ -27,7 +29,7 @@ class Joint:
     Attributes
     ----------
     id:
-        The first hinge's id, with "/k" where the hinges run over several pairs of parts; "seam ..." within one patch.
+        The first hinge's id, with "/k" where they run over several pairs of parts; "seam ..." within one patch.
     hinges:
         The hinges that it is (part) of: contours cut a line into several. None for a seam, which never turns.
     parts:
