@@ -1,6 +1,5 @@
 """Where the real outlines are in the recorded poses: flat, within the page, back in place."""
 
-from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -25,33 +24,27 @@ class Farthest:
 
 def flatness(sweep: Sweep) -> Farthest:
     """Greatest distance of any corner from the plane of the closed card (y = 0), mm."""
-    return _farthest(sweep, lambda patch: float(np.abs(_at(sweep, patch, sweep.closed)[:, 1]).max()))
+    return _farthest(sweep, np.abs(sweep.places[sweep.closed, :, 1]))
 
 
 def reopening(sweep: Sweep) -> Farthest:
     """Greatest distance of any corner from where it was before closing and opening, mm."""
-
-    def moved(patch: str) -> float:
-        first, last = (_at(sweep, patch, position) for position in (0, -1))
-        return float(np.linalg.norm(last - first, axis=-1).max())
-
-    return _farthest(sweep, moved)
+    return _farthest(sweep, np.linalg.norm(sweep.places[-1] - sweep.places[0], axis=-1))
 
 
 def protrusion(sweep: Sweep) -> Farthest:
     """How far the closed pop-up sticks out of what both closed pages cover, mm; 0: nothing does."""
-    from shapely.geometry import Point
+    from shapely import covers
 
-    first, second = (_silhouette(sweep, name) for name in PAGES)
+    silhouettes = {patch.id: _silhouette(sweep, patch.id) for patch in sweep.design.patches}
+    first, second = (silhouettes.pop(page) for page in PAGES)
     cover = first.intersection(second)
-
-    def beyond(patch: str) -> float:
-        outside = _silhouette(sweep, patch).difference(cover)
-        parts = [part for part in getattr(outside, "geoms", [outside]) if part.area > 0]
-        corners = [Point(corner) for part in parts for corner in part.exterior.coords]
-        return max((float(cover.distance(corner)) for corner in corners), default=0.0)
-
-    return _farthest(sweep, beyond)
+    inside = covers(cover, list(silhouettes.values()))
+    found = [
+        Farthest(0.0 if within else _beyond(cover, shape), name)
+        for (name, shape), within in zip(silhouettes.items(), inside, strict=True)
+    ]
+    return max(found, key=lambda farthest: farthest.value, default=Farthest(0.0, ""))
 
 
 def sweep_range(sweep: Sweep, patches: tuple[str, ...]) -> tuple[float, float]:
@@ -60,10 +53,21 @@ def sweep_range(sweep: Sweep, patches: tuple[str, ...]) -> tuple[float, float]:
     return min(float(x.min()) for x in xs), max(float(x.max()) for x in xs)
 
 
-def _farthest(sweep: Sweep, measure: Callable[[str], float]) -> Farthest:
-    """The patch of the pop-up with the greatest measure; an empty card has none."""
-    found = [Farthest(measure(patch.id), patch.id) for patch in sweep.design.popup_patches]
+def _farthest(sweep: Sweep, lengths: FloatArray) -> Farthest:
+    """The patch of the pop-up with the greatest of lengths (v,) at hull corners; an empty card has none."""
+    greatest = sweep.corners.greatest(lengths[None])[0]
+    found = [Farthest(float(greatest[sweep.index[patch.id]]), patch.id) for patch in sweep.design.popup_patches]
     return max(found, key=lambda farthest: farthest.value, default=Farthest(0.0, ""))
+
+
+def _beyond(cover: "BaseGeometry", shape: "BaseGeometry") -> float:
+    """How far a silhouette reaches out of what the pages cover, mm."""
+    from shapely.geometry import Point
+
+    outside = shape.difference(cover)
+    parts = [part for part in getattr(outside, "geoms", [outside]) if part.area > 0]
+    corners = [Point(corner) for part in parts for corner in part.exterior.coords]
+    return max((float(cover.distance(corner)) for corner in corners), default=0.0)
 
 
 def _silhouette(sweep: Sweep, patch: str) -> "BaseGeometry":
@@ -73,9 +77,3 @@ def _silhouette(sweep: Sweep, patch: str) -> "BaseGeometry":
 
     outline = transform(sweep.poses[sweep.closed, sweep.index[patch]], sweep.design.patch_by_id[patch].points)
     return make_valid(Polygon(outline[:, [0, 2]]))
-
-
-def _at(sweep: Sweep, patch: str, position: int) -> FloatArray:
-    """Hull corners of a patch at one recorded angle, shape (k, 3)."""
-    place = sweep.index[patch]
-    return transform(sweep.poses[position, place], sweep.hulls[place])

@@ -4,21 +4,19 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from popsim.geometry.arrays import FloatArray
+from popsim.geometry.arrays import FloatArray, IntArray
 from popsim.geometry.plane import line_distance
-from popsim.simulation.contact import Contact, closing_frames, contact_of
+from popsim.simulation.contact import Depths
 from popsim.simulation.sweep import Sweep
 from popsim.simulation.turning import Turn, turnings
 
 
-def find_passing(sweep: Sweep, turns: Sequence[Turn], tolerance: float) -> list[Contact]:
-    """Hinges whose patches pass each other by more than `tolerance` mm at the far edge while the card closes."""
-    depths = passing_depths(sweep, turns)[: closing_frames(sweep)]
-    found = []
-    for turn, depth in zip(turns, depths.T, strict=True):
-        if depth.max(initial=0.0) > tolerance:
-            contact = contact_of(sweep, turn.hinge.patches, dict(enumerate(depth.tolist())), tolerance)
-            found += [] if contact is None else [contact]
+def find_passing(sweep: Sweep, frames: IntArray, turns: Sequence[Turn], tolerance: float) -> Depths:
+    """Hinges whose patches pass each other by more than `tolerance` mm at the far edge at recorded angles (k,)."""
+    depths = passing_depths(sweep, turns)[frames]
+    found: Depths = {}
+    for row, column in np.argwhere(depths > tolerance).tolist():
+        found.setdefault(turns[column].hinge.patches, {})[int(frames[row])] = float(depths[row, column])
     return found
 
 
@@ -30,10 +28,10 @@ def passing_depths(sweep: Sweep, turns: Sequence[Turn]) -> FloatArray:
     first, second = (sweep.poses[:, [sweep.index[hinge.patches[side]] for hinge in hinges]] for side in (0, 1))
     angle = turnings(hinges, first, second)
     lower, upper = np.array([[turn.lower, turn.upper] for turn in turns]).T
-    over = np.clip(np.maximum(lower - angle, angle - upper), 0.0, np.pi / 2)
-    passed = np.flatnonzero(over.max(axis=0) > 0)
-    depths = np.zeros_like(over)
-    depths[:, passed] = np.sin(over[:, passed]) * [_reach(sweep, turns[column]) for column in passed]
+    over: FloatArray = np.clip(np.maximum(lower - angle, angle - upper), 0.0, np.pi / 2)
+    depths = np.zeros(over.shape)
+    for column in np.flatnonzero(over.max(axis=0) > 0).tolist():
+        depths[:, column] = np.sin(over[:, column]) * _reach(sweep, turns[column])
     return depths
 
 

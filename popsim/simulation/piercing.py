@@ -4,15 +4,12 @@ The two patches of a fold may each touch a third one with the fold alone, one fr
 it, and together they do. Folds in the bisecting plane and the backbones in it meet like that.
 """
 
-from collections import defaultdict
-from collections.abc import Iterator
-
 import numpy as np
 
-from popsim.design import Hinge, Patch
-from popsim.geometry.arrays import FloatArray
+from popsim.design import Patch
+from popsim.geometry.arrays import FloatArray, IntArray
 from popsim.geometry.rigid import transform
-from popsim.simulation.contact import Contact, closing_frames, contact_of
+from popsim.simulation.contact import Depths
 from popsim.simulation.neighbours import touching
 from popsim.simulation.sweep import Sweep
 
@@ -23,83 +20,88 @@ SAMPLES = 17
 """Places along a fold where it is looked at, ends included."""
 
 
-def find_piercings(sweep: Sweep, tolerance: float, play: float) -> list[Contact]:
-    """Folds deeper than `tolerance` mm inside a third patch while the card closes.
+def find_piercings(sweep: Sweep, frames: IntArray, tolerance: float, play: float) -> Depths:
+    """Folds deeper than `tolerance` mm inside a third patch at recorded angles (k,).
 
     `play` is the largest loop gap in mm: poses are no more exact than that.
     """
-    near = max(IN_PLANE, min(play, tolerance))
-    folds = _Folds(sweep)
-    contacts = []
-    for patch in sweep.design.patches if folds.hinges else ():
-        depths: dict[int, dict[int, float]] = defaultdict(dict)
-        for frame, fold in folds.in_plane_of(patch, near):
-            if _on_both_sides(sweep, folds.hinges[fold], patch, frame, (near, tolerance)):
-                pose = sweep.poses[frame, sweep.index[patch.id]]
-                depths[fold][frame] = _depth(patch, pose, folds.axes[frame, fold])
-        for fold, found in sorted(depths.items()):
-            contact = contact_of(sweep, (folds.hinges[fold].patches[0], patch.id), found, tolerance)
-            contacts += [] if contact is None else [contact]
-    return contacts
+    folds = _Folds(sweep, frames, max(IN_PLANE, min(play, tolerance)), tolerance)
+    found: Depths = {}
+    for place, patch in enumerate(sweep.design.patches):
+        rows, columns = folds.through_plane_of(place)
+        if not len(rows):
+            continue
+        depths = _depths(patch, sweep.poses[frames[rows], place], folds.axes[rows, columns])
+        for row, column, depth in zip(rows.tolist(), columns.tolist(), depths.tolist(), strict=True):
+            if depth > tolerance:
+                pair = (folds.hinges[column].patches[0], patch.id)
+                found.setdefault(pair, {})[int(frames[row])] = depth
+    return found
 
 
 class _Folds:
-    """All hinges but the central one, with their axes and boxes at each angle."""
+    """All hinges but the central one, with their axes and boxes at some angles.
 
-    def __init__(self, sweep: Sweep) -> None:
-        self._sweep = sweep
-        self._count = closing_frames(sweep)
+    `near` is how far off a plane what lies in it may be, `far` how far to its side a patch must reach, mm.
+    """
+
+    def __init__(self, sweep: Sweep, frames: IntArray, near: float, far: float) -> None:
+        self._sweep, self._frames, self._near, self._far = sweep, frames, near, far
         self.hinges = [hinge for hinge in sweep.design.hinges if hinge.kind != "central"]
-        self._first = [sweep.index[hinge.patches[0]] for hinge in self.hinges]
+        self._wings = np.array(
+            [[sweep.index[name] for name in hinge.patches] for hinge in self.hinges], dtype=np.int64
+        ).reshape(-1, 2)
         points = np.array([hinge.points for hinge in self.hinges]).reshape(-1, 2, 3)
-        self.axes = transform(sweep.poses[: self._count, self._first], points)
+        self.axes = transform(sweep.poses[frames][:, self._wings[:, 0]], points)
+        self._places = sweep.places[frames]
         self._low, self._high = self.axes.min(axis=2), self.axes.max(axis=2)
         self._swept = self._low.min(axis=0, initial=np.inf), self._high.max(axis=0, initial=-np.inf)
         self._joined = touching(sweep.design)
 
-    def in_plane_of(self, patch: Patch, near: float) -> Iterator[tuple[int, int]]:
-        """Angles and folds at which both ends of the fold lie in the plane of `patch`, and boxes meet.
+    def through_plane_of(self, place: int) -> tuple[IntArray, IntArray]:
+        """Angles and folds, shape (k,) each, where the fold lies in the plane of a patch between its own two.
 
-        Folds of patches that share a hinge line with `patch` are left out: they meet its plane there alone.
+        Boxes of fold and patch meet there. Folds of patches that share a hinge line with the patch are left out:
+        they meet its plane there alone.
         """
-        place = self._sweep.index[patch.id]
-        corners = self._sweep.moved(patch.id, self._count)
-        low, high = corners.min(axis=1) - near, corners.max(axis=1) + near
+        corners = self._places[:, self._sweep.corners.spans[place]]
+        low, high = corners.min(axis=1) - self._near, corners.max(axis=1) + self._near
         around = (self._swept[0] <= high.max(axis=0)) & (self._swept[1] >= low.min(axis=0))
-        picked = np.flatnonzero(around.all(axis=-1) & ~self._joined[place, self._first])
+        picked = np.flatnonzero(around.all(axis=-1) & ~self._joined[place, self._wings[:, 0]])
         meet = (self._low[:, picked] <= high[:, None]) & (self._high[:, picked] >= low[:, None])
-        frames, columns = np.nonzero(meet.all(axis=-1))
-        folds = picked[columns]
-        normals = self._sweep.poses[: self._count, place, :3, :3] @ patch.plane.normal
-        away = self.axes[frames, folds] - corners[frames, :1]
-        flat = (np.abs(away @ normals[frames, :, None])[..., 0] < near).all(axis=-1)
-        yield from zip(frames[flat].tolist(), folds[flat].tolist(), strict=True)
+        rows, columns = np.nonzero(meet.all(axis=-1))
+        columns = picked[columns]
+        normals = self._sweep.poses[self._frames, place, :3, :3] @ self._sweep.design.patches[place].plane.normal
+        away = self.axes[rows, columns] - corners[rows, :1]
+        flat = (np.abs(away @ normals[rows, :, None])[..., 0] < self._near).all(axis=-1)
+        rows, columns = rows[flat], columns[flat]
+        if not len(rows):
+            return rows, columns
+        sides = self._sides(np.unique(rows), corners[:, 0], normals)
+        between = (sides[rows, self._wings[columns, 0]] * sides[rows, self._wings[columns, 1]]) < 0
+        return rows[between], columns[between]
+
+    def _sides(self, rows: IntArray, origins: FloatArray, normals: FloatArray) -> IntArray:
+        """Before (1) or behind (-1) a plane at each angle lies each patch, or neither (0), shape (k, p).
+
+        Only asked at angles `rows`; 0 elsewhere.
+        """
+        height = ((self._places[rows] - origins[rows, None]) @ normals[rows, :, None])[..., 0]
+        low, high = self._sweep.corners.least(height), self._sweep.corners.greatest(height)
+        sides = np.zeros((len(self._frames), low.shape[1]), dtype=np.int64)
+        sides[rows] = ((high > self._far) & (low > -self._near)).astype(np.int64)
+        sides[rows] -= (low < -self._far) & (high < self._near)
+        return sides
 
 
-def _on_both_sides(sweep: Sweep, fold: Hinge, patch: Patch, frame: int, limits: tuple[float, float]) -> bool:
-    """Whether one patch of the fold lies before the plane of a third one, and the other behind it.
-
-    `limits`: how far each may reach to the wrong side at most, and must reach to its own at least, mm.
-    """
-    near, far = limits
-    pose = sweep.poses[frame, sweep.index[patch.id]]
-    origin, normal = pose[:3, :3] @ patch.points[0] + pose[:3, 3], pose[:3, :3] @ patch.plane.normal
-    sides = []
-    for name in fold.patches:
-        place = sweep.index[name]
-        height = (transform(sweep.poses[frame, place], sweep.hulls[place]) - origin) @ normal
-        before = height.max() > far and height.min() > -near
-        behind = height.min() < -far and height.max() < near
-        sides.append(int(before) - int(behind))
-    return sides[0] * sides[1] < 0
-
-
-def _depth(patch: Patch, pose: FloatArray, axis: FloatArray) -> float:
-    """How far inside the patch the fold runs, mm."""
-    from shapely import distance, intersects, points
+def _depths(patch: Patch, poses: FloatArray, axes: FloatArray) -> FloatArray:
+    """How far inside a patch in poses (k, 4, 4) folds (k, 2, 3) run, mm, shape (k,)."""
+    from shapely import distance, intersects, points, prepare
 
     polygon = patch.plane.polygon(patch.points, patch.hole_points)
-    back = (np.linspace(axis[0], axis[1], SAMPLES) - pose[:3, 3]) @ pose[:3, :3]
+    prepare(polygon)
+    steps = np.linspace(0.0, 1.0, SAMPLES)[:, None]
+    along = axes[:, :1] * (1 - steps) + axes[:, 1:] * steps
+    back = (along - poses[:, None, :3, 3]) @ poses[:, :3, :3]
     places = points(patch.plane.flat(back))
-    inside = intersects(polygon, places)
-    return float(np.max(distance(polygon.boundary, places) * inside))
+    return np.asarray((distance(polygon.boundary, places) * intersects(polygon, places)).max(axis=1))

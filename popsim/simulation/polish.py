@@ -11,7 +11,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from popsim.geometry.arrays import FloatArray
+from popsim.geometry.arrays import FloatArray, IntArray
 from popsim.simulation.gaps import loop_gaps
 from popsim.simulation.jacobian import Group, LoopJacobian
 from popsim.simulation.kinematics import chain_poses
@@ -36,7 +36,30 @@ def polished(rig: Rig, sweep: Sweep) -> Sweep:
     if not rig.forest.loops:
         return sweep
     before = loop_gaps(sweep, rig.forest.loops).by_angle
-    frames = np.flatnonzero((before > DONE * rig.scale) & (before < NEAR))
+    return _polished(rig, sweep, before, np.flatnonzero((before > DONE * rig.scale) & (before < NEAR)))
+
+
+def inserted(rig: Rig, sweep: Sweep, after: int, parts: int) -> Sweep:
+    """Return `sweep` with `parts - 1` more angles between the recorded ones `after` and `after + 1`.
+
+    Joint angles between two recorded ones lie on a straight line first; then the loops are closed.
+    """
+    share = np.arange(1, parts)[:, None] / parts
+    states = sweep.states[after] * (1 - share) + sweep.states[after + 1] * share
+    theta = sweep.theta[after] * (1 - share[:, 0]) + sweep.theta[after + 1] * share[:, 0]
+    new = np.arange(after + 1, after + parts)
+    poses = chain_poses(rig, theta, states[:, rig.joint_order])
+    finer = replace(
+        sweep,
+        theta=np.insert(sweep.theta, after + 1, theta),
+        poses=np.insert(sweep.poses, [after + 1], poses, axis=0),
+        states=np.insert(sweep.states, [after + 1], states, axis=0),
+    )
+    return _polished(rig, finer, loop_gaps(finer, rig.forest.loops).by_angle, new) if rig.forest.loops else finer
+
+
+def _polished(rig: Rig, sweep: Sweep, before: FloatArray, frames: IntArray) -> Sweep:
+    """Polish the poses at some angles (k,), where the gaps `before` (n,) become smaller."""
     if not len(frames):
         return sweep
     theta = sweep.theta[frames]

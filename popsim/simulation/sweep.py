@@ -9,8 +9,7 @@ import numpy as np
 from popsim.design import Design
 from popsim.geometry.arrays import FloatArray
 from popsim.geometry.frame import OPEN
-from popsim.geometry.rigid import transform
-from popsim.simulation.hull import hull_corners
+from popsim.simulation.hull import Corners
 from popsim.simulation.kinematics import chain_poses
 from popsim.simulation.rig import Rig, page_quaternions
 from popsim.simulation.schedule import Schedule
@@ -56,9 +55,19 @@ class Sweep:
         return {patch.id: position for position, patch in enumerate(self.design.patches)}
 
     @cached_property
+    def corners(self) -> Corners:
+        """Corners of the convex hulls of the patches, in the order of the design."""
+        return Corners(self.design.patches)
+
+    @cached_property
+    def places(self) -> FloatArray:
+        """Where these corners are at each recorded angle, shape (n, v, 3)."""
+        return self.corners.moved(self.poses)
+
+    @property
     def hulls(self) -> tuple[FloatArray, ...]:
-        """Corners of the convex hull of each patch, open pose, in the order of the design, each (k, 3)."""
-        return tuple(hull_corners(patch) for patch in self.design.patches)
+        """The same in the open pose, patch by patch, each (k, 3)."""
+        return self.corners.hulls
 
     @property
     def degrees(self) -> FloatArray:
@@ -80,8 +89,7 @@ class Sweep:
 
     def moved(self, patch: str, count: int | None = None) -> FloatArray:
         """Hull corners of a patch at the first `count` angles (at all), shape (n, k, 3)."""
-        place = self.index[patch]
-        return transform(self.poses[:count, place], self.hulls[place])
+        return self.places[:count, self.corners.spans[self.index[patch]]]
 
 
 def fold(rig: Rig, count: int, pacing: Pacing) -> Sweep:

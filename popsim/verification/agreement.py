@@ -3,7 +3,6 @@
 import numpy as np
 
 from popsim.geometry.arrays import FloatArray, IntArray
-from popsim.geometry.rigid import transform
 from popsim.simulation.extents import sweep_range
 from popsim.simulation.sweep import Sweep
 from popsim.validity import Theory
@@ -35,11 +34,13 @@ def distances(sweep: Sweep, theory: Theory) -> tuple[IntArray, dict[str, FloatAr
     """
     low, high = COMPARED_DEGREES
     inside = np.flatnonzero((sweep.degrees > low - 1e-6) & (sweep.degrees < high + 1e-6))
-    away = {}
-    for name, poses in theory.poses(sweep.theta[inside]).items():
-        stated = transform(poses, sweep.hulls[sweep.index[name]])
-        away[name] = np.linalg.norm(sweep.moved(name)[inside] - stated, axis=-1).max(axis=1)
-    return inside, away
+    known = theory.poses(sweep.theta[inside])
+    stated = sweep.poses[inside].copy()
+    for name, poses in known.items():
+        stated[:, sweep.index[name]] = poses
+    apart = np.linalg.norm(sweep.places[inside] - sweep.corners.moved(stated), axis=-1)
+    away = sweep.corners.greatest(apart)
+    return inside, {name: away[:, sweep.index[name]] for name in known}
 
 
 def _poses(sweep: Sweep, theory: Theory, settings: Settings) -> Measure | None:

@@ -3,14 +3,12 @@
 from dataclasses import dataclass
 
 from popsim.design import Design
-from popsim.simulation.collisions import find_crossings
 from popsim.simulation.contact import Contact
 from popsim.simulation.extents import Farthest, flatness, protrusion, reopening
 from popsim.simulation.folding import fold_design
 from popsim.simulation.gaps import Gaps
-from popsim.simulation.passing import find_passing
-from popsim.simulation.piercing import find_piercings
 from popsim.simulation.rig import Rig
+from popsim.simulation.search import find_contacts
 from popsim.simulation.stability import FreeMotions, Push, free_motions, push_test
 from popsim.simulation.sweep import Sweep
 from popsim.verification.settings import Settings
@@ -29,7 +27,7 @@ class Evidence:
     flat, reopened, protruding:
         Greatest lengths over all patches; None where the motion ends early.
     contacts:
-        Patches that cross while closing, the deepest first.
+        Patches that cross, the deepest first.
     """
 
     rig: Rig
@@ -59,11 +57,6 @@ def gather(design: Design, settings: Settings) -> Evidence:
     rig, sweep, gaps = folding.rig, folding.sweep, folding.gaps
     if not sweep.complete or not gaps.largest <= settings.play:
         return Evidence(rig, sweep, gaps)
-    contacts = [
-        *find_crossings(sweep, settings.crossing),
-        *find_piercings(sweep, settings.crossing, gaps.largest),
-        *find_passing(sweep, list(rig.turns.values()), settings.crossing),
-    ]
     return Evidence(
         rig=rig,
         sweep=sweep,
@@ -73,5 +66,7 @@ def gather(design: Design, settings: Settings) -> Evidence:
         flat=flatness(sweep),
         reopened=reopening(sweep),
         protruding=protrusion(sweep),
-        contacts=tuple(sorted(contacts, key=lambda contact: (-contact.depth, contact.patches))),
+        contacts=find_contacts(
+            rig, sweep, settings.crossing, play=gaps.largest, resolution=settings.first_contact
+        ),
     )

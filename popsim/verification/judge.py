@@ -87,7 +87,8 @@ def _contained(evidence: Evidence, settings: Settings) -> tuple[Measure, ...]:
 def describe(contact: Contact) -> str:
     """Pair and angles of a contact in words."""
     first, deepest = _degrees(contact.first), _degrees(contact.deepest)
-    return f"{' and '.join(contact.patches)} from {first}, deepest at {deepest}"
+    again = "" if contact.way == "closing" else ", opening again"
+    return f"{' and '.join(contact.patches)} from {first}, deepest at {deepest}{again}"
 
 
 def _loose(evidence: Evidence, settings: Settings) -> bool:

@@ -23,6 +23,8 @@ class Settings:
     crossing:
         How far one patch may reach through another beyond the loop gap, by which all is displaced: touching is no
         crossing.
+    first_contact:
+        Degrees; how exactly the fold angle is told at which patches begin to cross.
     protruding:
         How far anything may stick out of the closed card: half the usual thickness of the paper.
     pose:
@@ -40,6 +42,7 @@ class Settings:
     flat: float = 0.05
     reopened: float = 0.05
     crossing: float = 0.05
+    first_contact: float = 0.01
     protruding: float = 0.1
     pose: float = 0.001
     closing_range: float = 0.01

@@ -8,6 +8,7 @@ from popsim.mechanisms import assemble
 from popsim.mechanisms.box_fold import BoxFold
 from popsim.mechanisms.step_fold import StepFold
 from popsim.simulation import fold_design
+from popsim.simulation.contact import contacts_of, searched_frames
 from popsim.simulation.extents import reopening
 from popsim.simulation.forest import PAGES, spanning_forest
 from popsim.simulation.kinematics import chain_poses
@@ -74,7 +75,8 @@ def test_patches_that_turn_through_each_other_are_found():
     folding = fold_design(plain_box(), 90)
     hinge = next(h for h in folding.sweep.design.hinges if set(h.patches) == {"G", "M.L"})
     narrow = Turn(hinge, np.radians(-45), np.radians(45))
-    (contact,) = find_passing(folding.sweep, [narrow], 0.05)
+    frames = searched_frames(folding.sweep, 0.05)
+    (contact,) = contacts_of(folding.sweep, find_passing(folding.sweep, frames, [narrow], 0.05))
     assert set(contact.patches) == {"G", "M.L"}
     assert np.degrees(contact.first) == pytest.approx(90, abs=2.1)
     assert contact.depth == pytest.approx(40 * np.sin(np.radians(44)), abs=1)
