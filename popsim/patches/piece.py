@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 from popsim.geometry.arrays import FloatArray
 from popsim.geometry.plane import Plane
 from popsim.mechanisms import Mechanism, Plate
+from popsim.mechanisms.base import FIRST_BASE, SECOND_BASE
 from popsim.patches.settings import PatchSettings
 
 if TYPE_CHECKING:
@@ -35,6 +36,8 @@ class Piece:
         Where the model shows however deep it lies: doorways and shelves are dents of a wall, not gaps.
     seams:
         Lines at which the face goes on as that of a neighbour in the same plane, each of shape (2, 2).
+    stands:
+        Whether it is hinged to what its mechanism stands on.
     held:
         Paper at the hinges, which must stay.
     """
@@ -48,6 +51,7 @@ class Piece:
     shape: "BaseGeometry"
     recesses: "BaseGeometry"
     seams: list[FloatArray] = field(default_factory=list)
+    stands: bool = True
     held: list["BaseGeometry"] = field(default_factory=list)
 
 
@@ -62,7 +66,8 @@ def pieces_of(mechanism: Mechanism, box: FloatArray, settings: PatchSettings) ->
         face = Polygon(plane.flat(plate.outline))
         allowed = plate.outline if plate.room is None or name in settings.within_face else plate.room
         room = Polygon(plane.flat(allowed)).union(face)
-        creased = [joint for joint in mechanism.joints() if plate.role in joint.roles and joint.crease is not None]
-        seams = [plane.flat(joint.axis) for joint in creased]
-        pieces.append(Piece(name, plate, plane, face, room, box, Polygon(), Polygon(), seams))
+        joints = [joint for joint in mechanism.joints() if plate.role in joint.roles]
+        seams = [plane.flat(joint.axis) for joint in joints if joint.crease is not None]
+        stands = any(base in joint.roles for joint in joints for base in (FIRST_BASE, SECOND_BASE))
+        pieces.append(Piece(name, plate, plane, face, room, box, Polygon(), Polygon(), seams, stands))
     return pieces

@@ -7,6 +7,7 @@ f - q is beyond a threshold lie on a border; what is left falls into connected s
 given to the nearest of them.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -21,6 +22,8 @@ OUTSIDE = 0
 """Label of pixels that see nothing."""
 
 Image = npt.NDArray[np.float32]
+Course = tuple[npt.NDArray[np.float32] | FloatArray, float]
+"""A map and the amount by which a pixel may leave its course."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -84,20 +87,28 @@ def segment(
     """
     if not (step > 0 and turn > 0 and least_area >= 0):
         raise GeometryError(f"segmentation needs positive thresholds, not {step:g}, {turn:g} and {least_area:g}")
-    labels = label_map(maps.mask, maps.depth, maps.normal, step, turn, least_area / maps.view.pixel**2)
+    courses: list[Course] = [(maps.depth, step), *((maps.normal[..., k], turn) for k in range(3))]
+    labels = label_map(maps.mask, courses, least_area / maps.view.pixel**2)
     return Segmentation(labels, _described(maps, labels))
 
 
-def label_map(
-    mask: BoolArray, depth: FloatArray, normal: Image, step: float, turn: float, least: float
-) -> npt.NDArray[np.int32]:
-    """Number of the segment of each pixel, shape (h, w); segments of fewer than `least` pixels are dissolved."""
+def label_map(mask: BoolArray, courses: Sequence[Course], least: float) -> npt.NDArray[np.int32]:
+    """Number of the segment of each pixel, shape (h, w).
+
+    Parameters
+    ----------
+    mask:
+        Pixels that see something, shape (h, w); the others get 0.
+    courses:
+        Maps of shape (h, w) and their thresholds.
+    least:
+        Segments of fewer pixels are given to their neighbours.
+    """
     from scipy.ndimage import label
 
-    flat = np.where(mask, depth, 0.0).astype(np.float32)
     border = ~mask
-    for channel, limit in [(flat, step), *((np.ascontiguousarray(normal[..., k]), turn) for k in range(3))]:
-        _mark(border, channel, mask, np.float32(limit))
+    for course, limit in courses:
+        _mark(border, np.where(mask, course, 0).astype(np.float32), mask, np.float32(limit))
     labels, count = label(~border, output=LABELS)
     sizes = np.bincount(labels.ravel(), minlength=count + 1)
     sizes[OUTSIDE] = 0

@@ -7,6 +7,7 @@ import numpy as np
 from popsim.geometry.arrays import BoolArray, FloatArray
 from popsim.geometry.plane import Plane
 from popsim.patches.clean import common
+from popsim.patches.legs import legs
 from popsim.patches.piece import Piece
 from popsim.patches.settings import PatchSettings
 from popsim.patches.sight import Grid, look
@@ -34,14 +35,15 @@ def see(scene: RayScene, piece: Piece, settings: PatchSettings) -> None:
     """Give a piece the silhouette of the model on it; it may be empty or in parts.
 
     Within the face all of the model in the plate's box of space shows that lies no deeper than `behind`, and
-    what lies deeper where the rest encloses it; in the rest of the room only what lies near the plane of the
-    face. Patches inside show nothing: they are cut to what both sides hide.
+    what lies deeper where the rest encloses it, but no legs; in the rest of the room only what lies near the
+    plane of the face. Patches inside show nothing: they are cut to what both sides hide.
     """
     grid = Grid.over(piece.plane, piece.room.bounds, settings.pixel)
     if not piece.plate.principal:
         piece.shape = common(mask_polygon(_hidden(scene, piece, grid), grid), piece.face)
         return
-    mask = look(scene, grid, piece.box, -REACH, depths(piece, grid, piece.room)).mask
+    sight = look(scene, grid, piece.box, -REACH, depths(piece, grid, piece.room))
+    mask = sight.mask if piece.stands or _lies(piece) else sight.mask & ~legs(sight, piece)
     dents = _enclosed(mask, piece, grid)
     if dents.any():
         dents &= look(scene, grid, piece.box, -REACH, np.where(dents, REACH, np.nan)).mask
@@ -63,13 +65,18 @@ def _enclosed(mask: BoolArray, piece: Piece, grid: Grid) -> BoolArray:
 
     left, lower, right, _ = piece.face.bounds
     lines = list(piece.seams)
-    if abs(piece.plane.normal[2]) < UPRIGHT:
+    if not _lies(piece):
         lines.append(np.array([[left, lower - grid.pixel], [right, lower - grid.pixel]]))
     walls = np.pad(mask, 1)
     for line in lines:
         row, column = grid.pixels(line).T
         walls[np.clip(row + 1, 0, walls.shape[0] - 1), np.clip(column + 1, 0, walls.shape[1] - 1)] = True
     return np.asarray(binary_fill_holes(walls)[1:-1, 1:-1] & ~mask & grid.covered(piece.face))
+
+
+def _lies(piece: Piece) -> bool:
+    """Whether a piece lies rather than stands upright."""
+    return bool(abs(piece.plane.normal[2]) >= UPRIGHT)
 
 
 def depths(piece: Piece, grid: Grid, region: "BaseGeometry") -> FloatArray:

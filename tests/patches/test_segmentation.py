@@ -12,6 +12,11 @@ from popsim.rendering.maps import render_maps
 from popsim.rendering.view import View
 
 
+def courses(depth, normal, step, turn):
+    """Maps and thresholds, as a view has them."""
+    return [(depth, step), *((normal[..., k], turn) for k in range(3))]
+
+
 def front(surface, per_mm=4.0):
     return render_maps(
         surface,
@@ -58,7 +63,7 @@ def curved(size=400):
 
 def test_a_curved_surface_is_one_segment():
     depth, normal = curved()
-    labels = label_map(np.ones(depth.shape, bool), depth, normal, 0.5, 0.1, 10)
+    labels = label_map(np.ones(depth.shape, bool), courses(depth, normal, 0.5, 0.1), 10)
     assert labels.min() == labels.max() == 1
 
 
@@ -69,7 +74,7 @@ def test_a_crease_parts_two_slopes_by_their_normals():
         np.zeros((300, 400, 3), np.float32),
     )
     normal[:, :200, 0], normal[:, 200:, 0], normal[..., 2] = -0.6, 0.6, 0.8
-    labels = label_map(np.ones(depth.shape, bool), depth, normal, 5.0, 0.25, 10)
+    labels = label_map(np.ones(depth.shape, bool), courses(depth, normal, 5.0, 0.25), 10)
     assert labels.max() == 2
     assert (labels[:, :198] == labels[0, 0]).all() and (labels[:, 203:] == labels[0, -1]).all()
 
@@ -77,7 +82,7 @@ def test_a_crease_parts_two_slopes_by_their_normals():
 def test_specks_are_given_to_their_neighbours():
     depth, normal = curved()
     depth[200:203, 200:203] += 20
-    labels = label_map(np.ones(depth.shape, bool), depth, normal, 0.5, 0.1, 200)
+    labels = label_map(np.ones(depth.shape, bool), courses(depth, normal, 0.5, 0.1), 200)
     assert labels.min() == labels.max() == 1
 
 
@@ -85,7 +90,7 @@ def test_islands_of_nothing_but_border_stay_without_a_segment():
     mask = np.zeros((50, 50), bool)
     mask[10:40, 10:40] = True
     mask[2, 2] = True
-    labels = label_map(mask, np.zeros((50, 50)), np.zeros((50, 50, 3), np.float32), 1.0, 0.2, 10)
+    labels = label_map(mask, courses(np.zeros((50, 50)), np.zeros((50, 50, 3), np.float32), 1.0, 0.2), 10)
     assert labels[2, 2] == 0 and (labels[10:40, 10:40] == 1).all()
 
 
@@ -96,7 +101,7 @@ def test_two_megapixels_in_half_a_second_of_work():
     spent = []
     for _ in range(3):
         start = time.process_time()
-        labels = label_map(mask, depth, normal, 1.0, 0.25, 64)
+        labels = label_map(mask, courses(depth, normal, 1.0, 0.25), 64)
         spent.append(time.process_time() - start)
     assert labels.max() == 2
     assert min(spent) < 0.5
