@@ -10,24 +10,6 @@ if TYPE_CHECKING:
     from popsim.pipeline import DesignRun, RunSettings
 
 
-class Up(StrEnum):
-    """Model axes that may point up."""
-
-    AUTO, X, Y, Z, NX, NY, NZ = "auto", "x", "y", "z", "-x", "-y", "-z"
-
-
-class Front(StrEnum):
-    """Model axes that may point to the front."""
-
-    X, Y, Z, NX, NY, NZ = "x", "y", "z", "-x", "-y", "-z"
-
-
-class Align(StrEnum):
-    """How the heading is found."""
-
-    NPCA, EDGES, NONE = "npca", "edges", "none"
-
-
 class Fold(StrEnum):
     """Along which side the central fold runs."""
 
@@ -39,9 +21,20 @@ def design(
     output: Annotated[
         Path | None, typer.Option("--output", "-o", help="Folder to write; by default MODEL's name and -popup.")
     ] = None,
-    up: Annotated[Up, typer.Option(help="Model axis that points up.")] = Up.AUTO,
-    front: Annotated[Front | None, typer.Option(help="Model axis that points to the front.")] = None,
-    align: Annotated[Align, typer.Option(help="Heading by normals, by long edges, or as it is.")] = Align.NPCA,
+    up: Annotated[
+        str, typer.Option(metavar="DIRECTION", help="What points up: x, -x, y, -y, z, -z, or a vector as 0.2,0,1.")
+    ] = "auto",
+    front: Annotated[
+        str | None,
+        typer.Option(metavar="DIRECTION", help="What points to the front, likewise."),
+    ] = None,
+    align: Annotated[
+        str,
+        typer.Option(
+            metavar="npca|edges|none|ANGLE",
+            help="Heading by normals, by long edges, as it is, or turned from there by an angle as 30deg.",
+        ),
+    ] = "npca",
     fold: Annotated[Fold, typer.Option(help="Side along which the central fold runs.")] = Fold.AUTO,
     size: Annotated[
         str | None, typer.Option(help="Longest side of the model, e.g. 120mm; by default what the paper allows.")
@@ -78,7 +71,7 @@ def design(
 
     folder = output or Path(f"{model.stem}-popup")
     settings = RunSettings(
-        stance=Stance(up.value, None if front is None else front.value, align.value, fold.value),
+        stance=Stance(up, front, align, fold.value),
         fit=FitSettings(detail=detail, most_patches=max_patches),
         patches=PatchSettings(dpi=dpi),
         size=150.0 if size is None else parse_length(size, "--size"),

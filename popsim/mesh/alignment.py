@@ -1,10 +1,11 @@
 """Puts a model into the canonical frame: z up, standing on z = 0, the central fold along x (Sec. 4.1).
 
-The heading comes from NPCA over the normals, from the long edges, or from the model's own axes. The fold is
-where the best vertical mirror plane meets the base; where the two planes of the heading mirror about equally
-well, it runs along the longer side.
+The heading comes from NPCA over the normals, from the long edges, from the model's own axes, or from the user.
+The fold is where the best vertical mirror plane meets the base; where the two planes of the heading mirror about
+equally well, it runs along the longer side.
 """
 
+import re
 from dataclasses import dataclass
 from typing import Literal
 
@@ -12,17 +13,20 @@ import numpy as np
 
 from popsim.errors import MeshError
 from popsim.geometry.arrays import FloatArray, locked
-from popsim.mesh.bounds import RobustBounds, robust_bounds
+from popsim.geometry.surface import Surface
+from popsim.mesh.axes import axis_name, direction_of
+from popsim.mesh.bounds import RobustBounds
+from popsim.mesh.directions import Peak, edge_headings, horizontal_basis, normal_headings
 from popsim.mesh.formats import format_of
 from popsim.mesh.heading import Heading, choose_heading
+from popsim.mesh.level import SQUARE, Level, lean, levelled
 from popsim.mesh.model import Model
-from popsim.mesh.sampling import Samples, sample_surface
+from popsim.mesh.sampling import sample_surface
 from popsim.mesh.symmetry import MirrorPlane
-from popsim.mesh.up_axis import UP_AXES, UpChoice, axis_vector, choose_up
+from popsim.mesh.up_axis import UpChoice, choose_up, stated_up
 
-Method = Literal["npca", "edges", "none"]
 Fold = Literal["auto", "long", "short"]
-METHODS: tuple[Method, ...] = ("npca", "edges", "none")
+METHODS = ("npca", "edges", "none")
 FOLDS: tuple[Fold, ...] = ("auto", "long", "short")
 
 SAMPLES = 2500
@@ -31,10 +35,10 @@ EQUAL_SYMMETRY = 0.08
 """Mirror planes whose scores differ by less are equally good, and the longer side decides."""
 ASYMMETRIC = 0.5
 """Below this score the model has no mirror plane to speak of, and the longer side decides."""
-SQUARE = 1.02
-"""Sides whose ratio is below this are equally long."""
 LEAN = 0.004
 """Moments (relative to the extents) below this are noise, and the front cannot be told by them."""
+VERTICAL = 0.9
+"""A front whose part along the up axis is above this points up or down, not forward."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,13 +53,13 @@ class Alignment:
     axes:
         Which model direction became x, y and z: names like "-z", or "askew".
     up:
-        The choice of the up direction.
+        The choice of the up direction, and how sure it is.
+    heading_confidence:
+        0..1, that the model is turned rightly about the up axis; 1 where the user said so.
     symmetry:
         The mirror plane in model coordinates, and its score.
     box:
         Robust bounding box in the canonical frame.
-    confidence:
-        0..1, that up is right.
     reasons:
         Sentences for the report.
     """
@@ -63,9 +67,9 @@ class Alignment:
     matrix: FloatArray
     axes: tuple[str, str, str]
     up: UpChoice
+    heading_confidence: float
     symmetry: MirrorPlane
     box: RobustBounds
-    confidence: float
     reasons: tuple[str, ...]
 
     def __post_init__(self) -> None:
@@ -77,7 +81,7 @@ def align(
     *,
     up: str = "auto",
     front: str | None = None,
-    method: Method = "npca",
+    method: str = "npca",
     fold: Fold = "auto",
     seed: int = 0,
 ) -> Alignment:
@@ -88,11 +92,12 @@ def align(
     model:
         As loaded.
     up:
-        The model axis that points up, one of :data:`popsim.mesh.up_axis.UP_AXES`, or "auto".
+        The model direction that points up (:func:`popsim.mesh.axes.direction_of`), or "auto".
     front:
-        The model axis that points to +x, as nearly as the heading allows; None to choose by shape.
+        The model direction that points to +x, as nearly as the heading allows; None to choose by shape.
     method:
-        "npca": normals; "edges": long edges; "none": the model's own axes.
+        "npca": normals; "edges": long edges; "none": the model's own axes; or an angle such as "30deg", by which
+        the model's own axes are turned, counterclockwise seen from above.
     fold:
         "auto": in the best mirror plane; "long" or "short": along that horizontal side.
     seed:
@@ -103,46 +108,79 @@ def align(
     MeshError
         An option has an unknown value, or `front` is the up axis.
     """
-    _check_options(up, front, method, fold)
-    samples = sample_surface(model.surface, SAMPLES, seed=seed)
-    custom = format_of(model.path).up
-    choice = choose_up(model.surface, samples, custom, up)
-    if front is not None and abs(axis_vector(front, "front") @ choice.direction) > 0.9:
+    check_options(up, front, method, fold)
+    choice = _up(model, up, seed)
+    ahead = None if front is None else direction_of(front, "front")
+    if ahead is not None and abs(ahead @ choice.direction) > VERTICAL:
         raise MeshError(f"front: '{front}' is the up axis ({choice.name}); choose a horizontal axis")
-    heading = choose_heading(model.surface, samples, choice.direction, method)
-    along, why_fold = _fold_side(heading, fold, front)
-    x = heading.directions[along]
+    basis = horizontal_basis(choice.direction)
+    peaks, why_heading = _headings(model.surface, basis, method)
+    level = levelled(model.surface, basis, peaks, SAMPLES, seed)
+    heading = choose_heading(level, fixed=method not in ("npca", "edges"))
+    level_front = None if ahead is None else level.rotation @ ahead
+    along, why_fold = _fold_side(heading, fold, level_front)
+    x, why_front = _front(level, heading.directions[along], level_front, front)
+    turned = np.stack([x, np.cross([0.0, 0.0, 1.0], x), [0.0, 0.0, 1.0]])
     plane = heading.planes[1 - along]
-    if front is None:
-        x, why_front = _front_by_shape(samples, x, choice.direction)
-    else:
-        x, why_front = x * (1 if x @ axis_vector(front, "front") > 0 else -1), f"{front} is the front, as told"
-    rotation = _tidy(np.stack([x, np.cross(choice.direction, x), choice.direction]))
-    matrix, box = _stand(model, samples, rotation, plane)
-    reasons = (choice.reason, heading.reason, why_fold, why_front, *(str(part) for part in box.left_out))
-    axes = (_axis_name(rotation[0]), _axis_name(rotation[1]), _axis_name(rotation[2]))
-    return Alignment(matrix, axes, choice, plane, box, choice.confidence, reasons)
+    matrix, box = _stand(level, turned, plane)
+    own = MirrorPlane(plane.normal @ level.rotation, plane.offset, plane.score, plane.centred)
+    axes = (axis_name(matrix[0, :3]), axis_name(matrix[1, :3]), axis_name(matrix[2, :3]))
+    reasons = (
+        f"{choice.reason} (confidence {choice.confidence:.2f})",
+        f"{why_heading} (confidence {heading.confidence:.2f})",
+        why_fold,
+        why_front,
+        *(str(part) for part in box.left_out),
+    )
+    return Alignment(matrix, axes, choice, heading.confidence, own, box, reasons)
 
 
-def _check_options(up: str, front: str | None, method: str, fold: str) -> None:
-    for option, value, known in (
-        ("up", up, (*UP_AXES, "auto")),
-        ("front", front, (*UP_AXES, None)),
-        ("method", method, METHODS),
-        ("fold", fold, FOLDS),
-    ):
-        if value not in known:
-            words = ", ".join(str(k) for k in known if k is not None)
-            raise MeshError(f"{option}: '{value}' is unknown; expected one of {words}")
+def check_options(up: str, front: str | None, method: str, fold: str) -> None:
+    """Raise MeshError where an option of :func:`align` has an unknown value."""
+    if up != "auto":
+        direction_of(up, "up")
+    if front is not None:
+        direction_of(front, "front")
+    if method not in METHODS:
+        _turn_of(method)
+    if fold not in FOLDS:
+        raise MeshError(f"fold: '{fold}' is unknown; expected one of {', '.join(FOLDS)}")
 
 
-def _fold_side(heading: Heading, fold: Fold, front: str | None) -> tuple[int, str]:
+def _turn_of(method: str) -> float:
+    """Return the angle that an align option states, radians."""
+    match = re.fullmatch(r"([+-]?[0-9]*\.?[0-9]+)\s*deg", method)
+    if match is None:
+        raise MeshError(
+            f"align: '{method}' is unknown; expected one of {', '.join(METHODS)}, or an angle such as 30deg"
+        )
+    return float(np.radians(float(match[1])))
+
+
+def _up(model: Model, up: str, seed: int) -> UpChoice:
+    if up != "auto":
+        return stated_up(up)
+    return choose_up(model.surface, sample_surface(model.surface, SAMPLES, seed=seed), format_of(model.path).up)
+
+
+def _headings(surface: Surface, basis: FloatArray, method: str) -> tuple[list[Peak], str]:
+    """Return the headings that the shape or the user suggests, relative to `basis`, and in words."""
+    if method == "npca":
+        return normal_headings(surface, basis), "the heading is that of most of the normals (NPCA)"
+    if method == "edges":
+        return edge_headings(surface, basis), "the heading is that of the long edges"
+    if method == "none":
+        return [Peak(0.0, 1.0)], "the heading is that of the model's own axes"
+    return [Peak(_turn_of(method), 1.0)], f"the heading is that of the model's own axes turned by {method}"
+
+
+def _fold_side(heading: Heading, fold: Fold, front: FloatArray | None) -> tuple[int, str]:
     """Return along which of the two horizontal directions the fold runs, and why."""
     first, second = heading.extents
     longer = 0 if first >= second else 1
     scores = heading.planes[1].score, heading.planes[0].score  # of the plane that contains each direction
     if front is not None:
-        along = int(np.abs(heading.directions @ axis_vector(front, "front")).argmax())
+        along = int(np.abs(heading.directions @ front).argmax())
         return along, f"the fold runs to the front; mirror score {scores[along]:.2f}"
     if fold != "auto":
         along = longer if fold == "long" else 1 - longer
@@ -154,18 +192,23 @@ def _fold_side(heading: Heading, fold: Fold, front: str | None) -> tuple[int, st
     return longer, f"the fold runs along the longer side; mirror score {scores[longer]:.2f} of 1"
 
 
-def _front_by_shape(samples: Samples, x: FloatArray, up: FloatArray) -> tuple[FloatArray, str]:
-    """Return x or -x, whichever points to the lower end, or else to the end with less area."""
+def _front(level: Level, x: FloatArray, front: FloatArray | None, word: str | None) -> tuple[FloatArray, str]:
+    """Return x or -x, whichever points to the front as told, to the lower end, or to the end with less area."""
+    if front is not None:
+        return x * (1.0 if x @ front > 0 else -1.0), f"{word} is the front, as told"
+    samples = level.samples
     weight = samples.area / samples.area.sum()
-    along, height = _centred(samples.points @ x), _centred(samples.points @ up)
+    along, height = _centred(samples.points @ x), _centred(samples.points[:, 2])
     for moment, words in (
         (weight @ (along * (height - weight @ height)), "the lower end is the front"),
         (weight @ along, "the end with less surface is the front"),
     ):
         if abs(moment) > LEAN:
             return -x * np.sign(moment), words
-    largest = x[np.abs(x).argmax()]
-    return x * np.sign(largest), "both ends look alike; the front follows the model's axes"
+    if (exact := lean(level.surface, x)) != 0:
+        return -x * np.sign(exact), "both ends look alike; the one with a little less surface is the front"
+    own = x @ level.rotation
+    return x * np.sign(own[np.abs(own).argmax()]), "both ends look alike; the front follows the model's axes"
 
 
 def _centred(values: FloatArray) -> FloatArray:
@@ -174,28 +217,18 @@ def _centred(values: FloatArray) -> FloatArray:
     return np.asarray((values - (low + high) / 2) / max(float(high - low), 1e-300))
 
 
-def _stand(
-    model: Model, samples: Samples, rotation: FloatArray, plane: MirrorPlane
-) -> tuple[FloatArray, RobustBounds]:
+def _stand(level: Level, turned: FloatArray, plane: MirrorPlane) -> tuple[FloatArray, RobustBounds]:
     """Shift the turned model onto the base; return the whole motion and the box there."""
-    matrix = np.eye(4)
-    matrix[:3, :3] = rotation
-    box = robust_bounds(model.surface.transformed(matrix), samples.moved(matrix))
-    middle = plane.offset * np.sign(plane.normal @ rotation[1])
+    box = level.body.box(turned)
+    middle = plane.offset * np.sign(plane.normal @ turned[1])
     shift = -np.array([box.bounds[:, 0].mean(), middle, box.bounds[0, 2]])
+    matrix = np.eye(4)
+    matrix[:3, :3] = _tidy(turned @ level.rotation)
     matrix[:3, 3] = shift
-    left_out = tuple(type(part)(part.bounds + shift, part.area_share, part.reason) for part in box.left_out)
-    return matrix, RobustBounds(box.bounds + shift, left_out)
+    return matrix, box.shifted(shift)
 
 
 def _tidy(rotation: FloatArray) -> FloatArray:
     """Round what arithmetic left of exact zeros and ones."""
     rounded = np.round(rotation)
     return np.where(np.abs(rotation - rounded) < 1e-9, rounded + 0.0, rotation)
-
-
-def _axis_name(direction: FloatArray) -> str:
-    largest = int(np.abs(direction).argmax())
-    if abs(direction[largest]) < np.cos(np.radians(1)):
-        return "askew"
-    return ("-" if direction[largest] < 0 else "") + "xyz"[largest]

@@ -1,4 +1,4 @@
-"""Bounding boxes that a stray point or a thin antenna does not stretch."""
+"""Bounding boxes that a stray part or a thin mast does not stretch."""
 
 from dataclasses import dataclass
 
@@ -15,9 +15,15 @@ TINY = 0.01
 FAR = 0.15
 """A tiny part counts as far if this much of the diagonal of the rest separates it from the rest."""
 THIN = 0.005
-"""An end that holds less than this share of the area is thin."""
-LONG = 0.08
-"""A thin end is cut off if it takes up more than this share of the extent."""
+"""An end that holds less than this share of the area may be thin."""
+SLENDER = 0.1
+"""It is if it takes up less than this share of the section of the box across it."""
+LONG = 0.25
+"""A thin end is cut off if it takes up more than this share of the extent; shorter ones stretch no box much."""
+SKIN = 0.01
+"""Share of the extent below the cut within which samples still belong to what the end stands on."""
+FOOT = (2, 0)
+"""Axis and side of the end that is never cut off: what a model stands on holds the rest up, however thin."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -64,39 +70,69 @@ class RobustBounds:
     def __post_init__(self) -> None:
         object.__setattr__(self, "bounds", locked(self.bounds, (2, 3), "bounds"))
 
+    def shifted(self, shift: FloatArray) -> "RobustBounds":
+        """Return the same, moved by `shift` (3,)."""
+        parts = tuple(LeftOut(part.bounds + shift, part.area_share, part.reason) for part in self.left_out)
+        return RobustBounds(self.bounds + shift, parts)
 
-def robust_bounds(surface: Surface, samples: Samples, *, trim_thin: bool = False) -> RobustBounds:
-    """Return the bounding box of what matters of a surface.
 
-    Parameters
+@dataclass(frozen=True, eq=False)
+class Body:
+    """What counts of a surface: all but tiny parts that lie far off; in the frame of the surface.
+
+    Attributes
     ----------
-    surface, samples:
-        A surface and points on it, in the same frame; the box is in that frame too.
-    trim_thin:
-        Also cut off long ends with next to no area, like antennas.
+    corners:
+        Corners of its faces, shape (n, 3).
+    points, weight:
+        Samples on it, shape (k, 3), and the share of the whole area that each stands for, shape (k,).
+    strays:
+        Samples (s, 3) on each part that does not count, and its share of the area.
     """
+
+    corners: FloatArray
+    points: FloatArray
+    weight: FloatArray
+    strays: tuple[tuple[FloatArray, float], ...] = ()
+
+    def extent(self, direction: FloatArray) -> tuple[float, float]:
+        """Return how far it reaches along a direction (3,): least and greatest."""
+        along = self.corners @ direction
+        return float(along.min()), float(along.max())
+
+    def box(self, rotation: FloatArray) -> RobustBounds:
+        """Return its bounding box in the frame whose axes are the rows of `rotation` (3, 3), z up.
+
+        Long ends with next to no area, as masts and antennas have, do not count.
+        """
+        bounds = np.array([self.extent(axis) for axis in rotation]).T
+        far = [LeftOut(box_of(points @ rotation.T), share, "far") for points, share in self.strays]
+        points = self.points @ rotation.T
+        ends = []
+        for axis in range(3):
+            for side in range(2):
+                end = None if (axis, side) == FOOT else _thin_end(bounds, points, self.weight, axis, side)
+                if end is not None:
+                    ends.append(end)
+                    bounds[side, axis] = end.bounds[1 - side, axis]
+        return RobustBounds(bounds, (*far, *ends))
+
+
+def body_of(surface: Surface, samples: Samples) -> Body:
+    """Tell what counts of a surface, given points on it in the same frame."""
     part = _parts(samples)
     far = _far_parts(samples, part)
-    corners = surface.triangles
-    left_out = []
-    kept = samples.points
     weight = samples.area / samples.area.sum()
+    corners = surface.triangles
     if far:
-        stray = np.isin(_part_of_faces(corners, samples, part), far)
-        for number in far:
-            member = part == number
-            left_out.append(LeftOut(_box(samples.points[member]), float(weight[member].sum()), "far"))
-        corners = corners[~stray]
-        inside = ~np.isin(part, far)
-        kept, weight = kept[inside], weight[inside]
-    bounds = _box(corners.reshape(-1, 3))
-    if trim_thin:
-        bounds, ends = _without_thin_ends(bounds, kept, weight)
-        left_out += ends
-    return RobustBounds(bounds, tuple(left_out))
+        corners = corners[~np.isin(_part_of_faces(corners, samples, part), far)]
+    strays = tuple((samples.points[part == k], float(weight[part == k].sum())) for k in far)
+    kept = ~np.isin(part, far)
+    return Body(corners.reshape(-1, 3), samples.points[kept], weight[kept], strays)
 
 
-def _box(points: FloatArray) -> FloatArray:
+def box_of(points: FloatArray) -> FloatArray:
+    """Return the lowest and the highest corner of points (n, 3), shape (2, 3)."""
     return np.array([points.min(axis=0), points.max(axis=0)])
 
 
@@ -117,7 +153,7 @@ def _far_parts(samples: Samples, part: IntArray) -> list[int]:
     """Return the tiny parts that stay far off while everything near the large ones joins them."""
     share = np.bincount(part, weights=samples.area) / samples.area.sum()
     large = (share >= TINY) | (share == share.max())
-    boxes = np.array([_box(samples.points[part == k]) for k in range(len(share))])
+    boxes = np.array([box_of(samples.points[part == k]) for k in range(len(share))])
     inside = large
     while True:
         core = np.array([boxes[inside, 0].min(axis=0), boxes[inside, 1].max(axis=0)])
@@ -136,21 +172,22 @@ def _part_of_faces(corners: FloatArray, samples: Samples, part: IntArray) -> Int
     return nearest
 
 
-def _without_thin_ends(
-    bounds: FloatArray, points: FloatArray, weight: FloatArray
-) -> tuple[FloatArray, list[LeftOut]]:
-    trimmed, ends = bounds.copy(), []
-    for axis in range(3):
-        order = np.argsort(points[:, axis], kind="stable")
-        below = np.cumsum(weight[order]) / weight.sum()
-        along = points[order, axis]
-        cuts = along[np.searchsorted(below, THIN)], along[np.searchsorted(below, 1 - THIN)]
-        for side, cut in enumerate(cuts):
-            if abs(cut - bounds[side, axis]) > LONG * (bounds[1, axis] - bounds[0, axis]):
-                end = points[(points[:, axis] - cut) * (1 - 2 * side) < 0]
-                lost = weight[(points[:, axis] - cut) * (1 - 2 * side) < 0].sum()
-                box = _box(end)
-                box[side, axis] = bounds[side, axis]
-                ends.append(LeftOut(box, float(lost), "thin"))
-                trimmed[side, axis] = cut
-    return trimmed, ends
+def _thin_end(bounds: FloatArray, points: FloatArray, weight: FloatArray, axis: int, side: int) -> LeftOut | None:
+    """Return the thin long end at one side of the box along an axis, or None where the box ends otherwise."""
+    inward = points[:, axis] if side == 0 else -points[:, axis]
+    order = np.argsort(inward, kind="stable")
+    below = np.cumsum(weight[order])
+    first = int(np.searchsorted(below, THIN * below[-1]))
+    cut = points[order[first], axis]
+    size = bounds[1] - bounds[0]
+    if not abs(cut - bounds[side, axis]) > LONG * size[axis]:
+        return None
+    beyond = inward < inward[order[first]] - SKIN * size[axis]
+    if not beyond.any():
+        return None
+    box = box_of(points[beyond])
+    box[side, axis], box[1 - side, axis] = bounds[side, axis], cut
+    across = [k for k in range(3) if k != axis]
+    if np.ptp(box, axis=0)[across].prod() > SLENDER * size[across].prod():
+        return None
+    return LeftOut(box, float(weight[beyond].sum()), "thin")

@@ -47,8 +47,22 @@ class Peak(NamedTuple):
     strength: float
 
 
+def horizontal_basis(up: FloatArray) -> FloatArray:
+    """Return rows e1, e2, up, right-handed, where e1 follows a model axis as nearly as it can; shape (3, 3)."""
+    nearest = int(np.abs(up).argmin())
+    first = np.eye(3)[nearest] - up[nearest] * up
+    first /= np.linalg.norm(first)
+    return np.stack([first, np.cross(up, first), up])
+
+
+def turned_basis(basis: FloatArray, angle: float) -> FloatArray:
+    """Return `basis` (3, 3) turned about its last row by `angle`, counterclockwise seen from there."""
+    turn = np.array([[np.cos(angle), np.sin(angle)], [-np.sin(angle), np.cos(angle)]])
+    return np.concatenate([turn @ basis[:2], basis[2:]])
+
+
 def normal_headings(surface: Surface, basis: FloatArray) -> list[Peak]:
-    """Return headings by the area of the normals (NPCA about the up axis), strongest first.
+    """Return headings by the area of the normals (NPCA about the up axis), the strongest first.
 
     Parameters
     ----------
@@ -94,6 +108,14 @@ def principal_axes(samples: Samples) -> FloatArray:
     return np.stack([first, second, np.cross(first, second)])
 
 
+def inertia_axes(samples: Samples) -> FloatArray:
+    """Return the principal axes of inertia of the surface, orthonormal rows, shape (3, 3)."""
+    weight = samples.area / samples.area.sum()
+    away = samples.points - weight @ samples.points
+    axes: FloatArray = np.linalg.eigh((away * weight[:, None]).T @ away)[1].T
+    return axes
+
+
 def axes_about(samples: Samples, axis: int) -> FloatArray:
     """Return coordinate axis `axis` (0..2) and the two directions across it that most normals follow, (3, 3)."""
     up = np.eye(3)[axis]
@@ -130,7 +152,7 @@ def _headings(angles: FloatArray, weights: FloatArray) -> list[Peak]:
     contrast = 1 - smooth.mean() / smooth.max()
     strength = contrast * smooth / smooth.max()
     own = [Peak(0.0, float(strength[0]))] if contrast < VAGUE else []
-    return own + [Peak(_mean_angle(angles, weights, (k + 0.5) * quarter / BINS), float(strength[k])) for k in best]
+    return [Peak(_mean_angle(angles, weights, (k + 0.5) * quarter / BINS), float(strength[k])) for k in best] + own
 
 
 def _mean_angle(angles: FloatArray, weights: FloatArray, start: float) -> float:

@@ -1,19 +1,19 @@
 """How a model is turned about the up axis: its two horizontal directions and the mirror planes across them."""
 
 from dataclasses import dataclass
-from typing import NamedTuple
 
 import numpy as np
 
 from popsim.geometry.arrays import FloatArray
-from popsim.geometry.surface import Surface
-from popsim.mesh.bounds import robust_bounds
-from popsim.mesh.directions import Peak, edge_headings, normal_headings
+from popsim.mesh.directions import Peak, turned_basis
+from popsim.mesh.level import Level
 from popsim.mesh.sampling import Samples, sample_surface
 from popsim.mesh.symmetry import MirrorPlane, MirrorSearch
 
 SYMMETRY_WEIGHT, BOX_WEIGHT = 2.0, 0.5
 """Weights of the mirror score and of the tightness of the box beside the strength of a heading."""
+SURE = 6.0
+"""Sharpness of the confidence: a heading whose merit is better by 0.5 than another's is 20 times as likely."""
 HARDLY_SYMMETRIC = 0.8
 """Below this mirror score at every dominant heading, planes at all headings are tried too."""
 OFF_PEAK = 0.5
@@ -25,88 +25,60 @@ FINE_STEPS = np.radians([2.0, 1.0, 0.5])
 
 @dataclass(frozen=True, eq=False)
 class Heading:
-    """Two perpendicular horizontal directions of a model.
+    """Two perpendicular horizontal directions of a model, in the level frame.
 
     Attributes
     ----------
     directions:
-        Unit vectors in model coordinates, the second a quarter turn counterclockwise (seen from above) of the
-        first: shape (2, 3).
+        Unit vectors, the second a quarter turn counterclockwise (seen from above) of the first: shape (2, 3).
     planes:
         The best mirror plane across each of them.
     extents:
         Size of the robust box along each.
-    reason:
-        One sentence.
+    confidence:
+        0..1, against the other headings that were tried.
     """
 
     directions: FloatArray
     planes: tuple[MirrorPlane, MirrorPlane]
     extents: tuple[float, float]
-    reason: str
+    confidence: float
 
 
-class _Turntable(NamedTuple):
-    """A model that can be turned about its up axis: `basis` holds two horizontal axes and up, as rows."""
-
-    surface: Surface
-    samples: Samples
-    search: MirrorSearch
-    basis: FloatArray
-
-    def heading(self, angle: float, reason: str) -> Heading:
-        directions = _directions(self.basis, angle)
-        matrix = np.eye(4)
-        matrix[:2, :3], matrix[2, :3] = directions, self.basis[2]
-        low, high = robust_bounds(self.surface.transformed(matrix), self.samples.moved(matrix)).bounds
-        first, second = (self.search.best_plane(directions[k], (float(low[k]), float(high[k]))) for k in range(2))
-        extents = float(high[0] - low[0]), float(high[1] - low[1])
-        return Heading(directions, (first, second), extents, reason)
-
-
-def choose_heading(surface: Surface, samples: Samples, up: FloatArray, method: str) -> Heading:
+def choose_heading(level: Level, *, fixed: bool) -> Heading:
     """Choose the heading that is strong, symmetric and has a tight bounding box (Sec. 4.1).
 
     Parameters
     ----------
-    surface, samples:
-        The model, and points on it in the same frame.
-    up:
-        Unit vector, shape (3,).
-    method:
-        "npca", "edges" or "none"; see :func:`popsim.mesh.alignment.align`.
+    level:
+        The model, upright, with the headings that its shape suggests.
+    fixed:
+        Take the first of these whatever the shape.
     """
-    basis = horizontal_basis(up)
-    table = _Turntable(surface, samples, MirrorSearch(samples), basis)
-    if method == "none":
-        return table.heading(0.0, "the heading is that of the model's own axes")
-    peaks = normal_headings(surface, basis) if method == "npca" else edge_headings(surface, basis)
-    words = f"the heading is that of {'most of the normals (NPCA)' if method == 'npca' else 'the long edges'}"
-    found = [table.heading(peak.angle, words) for peak in peaks]
+    if fixed:
+        return _heading(level, 0.0, 1.0)
+    peaks = list(level.peaks)
+    found = [_heading(level, peak.angle, 0.0) for peak in peaks]
     if max(_symmetry(heading) for heading in found) < HARDLY_SYMMETRIC:
-        angle = _most_symmetric_angle(table)
+        angle = _most_symmetric_angle(level)
         if min(_apart(angle, peak.angle) for peak in peaks) > COARSE_STEP / 2:
             peaks.append(Peak(angle, OFF_PEAK * peaks[0].strength))
-            found.append(table.heading(angle, "the heading is that of the best mirror plane"))
+            found.append(_heading(level, angle, 0.0))
     areas = [heading.extents[0] * heading.extents[1] for heading in found]
-    merit = [
-        peak.strength + SYMMETRY_WEIGHT * _symmetry(heading) + BOX_WEIGHT * min(areas) / max(area, 1e-300)
-        for peak, heading, area in zip(peaks, found, areas, strict=True)
-    ]
-    return found[int(np.argmax(merit))]
+    tight = min(areas) / np.maximum(areas, 1e-300)
+    strength = np.array([peak.strength for peak in peaks])
+    merit = strength + SYMMETRY_WEIGHT * np.array([_symmetry(heading) for heading in found]) + BOX_WEIGHT * tight
+    best = int(np.argmax(merit))
+    confidence = float(1 / np.exp(SURE * (merit - merit[best])).sum())
+    return Heading(found[best].directions, found[best].planes, found[best].extents, confidence)
 
 
-def horizontal_basis(up: FloatArray) -> FloatArray:
-    """Return rows e1, e2, up, right-handed, where e1 follows a model axis as nearly as it can; shape (3, 3)."""
-    nearest = int(np.abs(up).argmin())
-    first = np.eye(3)[nearest] - up[nearest] * up
-    first /= np.linalg.norm(first)
-    return np.stack([first, np.cross(up, first), up])
-
-
-def _directions(basis: FloatArray, angle: float) -> FloatArray:
-    turn = np.array([[np.cos(angle), np.sin(angle)], [-np.sin(angle), np.cos(angle)]])
-    return np.asarray(turn @ basis[:2])
+def _heading(level: Level, angle: float, confidence: float) -> Heading:
+    frame = turned_basis(np.eye(3), angle)
+    low, high = level.body.box(frame).bounds
+    first, second = (level.search.best_plane(frame[k], (float(low[k]), float(high[k]))) for k in range(2))
+    extents = float(high[0] - low[0]), float(high[1] - low[1])
+    return Heading(frame[:2], (first, second), extents, confidence)
 
 
 def _symmetry(heading: Heading) -> float:
@@ -119,19 +91,20 @@ def _apart(angle: float, other: float) -> float:
     return float(abs(np.mod(angle - other + quarter / 2, quarter) - quarter / 2))
 
 
-def _most_symmetric_angle(table: _Turntable) -> float:
+def _most_symmetric_angle(level: Level) -> float:
     """Return the angle, 0..pi/2, of a heading of which one mirror plane is the best of all vertical ones."""
-    coarse_samples = sample_surface(table.surface, COARSE_SAMPLES, seed=0)
-    coarse = table._replace(samples=coarse_samples, search=MirrorSearch(coarse_samples))
+    coarse = sample_surface(level.surface, COARSE_SAMPLES, seed=0)
+    search = MirrorSearch(coarse)
     angles = np.arange(0.0, np.pi, COARSE_STEP)
-    angle = float(angles[int(np.argmax([_score_across(coarse, a) for a in angles]))])
+    angle = float(angles[int(np.argmax([_score_across(coarse, search, a) for a in angles]))])
     for step in FINE_STEPS:
         trials = [angle - step, angle, angle + step]
-        angle = trials[int(np.argmax([_score_across(table, trial) for trial in trials]))]
+        scores = [_score_across(level.samples, level.search, trial) for trial in trials]
+        angle = trials[int(np.argmax(scores))]
     return float(np.mod(angle, np.pi / 2))
 
 
-def _score_across(table: _Turntable, angle: float) -> float:
-    normal = _directions(table.basis, angle)[0]
-    along = table.samples.points @ normal
-    return table.search.best_plane(normal, (float(along.min()), float(along.max())), quick=True).score
+def _score_across(samples: Samples, search: MirrorSearch, angle: float) -> float:
+    normal = turned_basis(np.eye(3), angle)[0]
+    along = samples.points @ normal
+    return search.best_plane(normal, (float(along.min()), float(along.max())), quick=True).score

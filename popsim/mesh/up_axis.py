@@ -4,6 +4,9 @@ Six directions compete. Each gets the logarithm of its prior weight (:mod:`popsi
 evidence of the shape; the winner's share of the summed exponentials is the confidence. The weights of the
 evidence are round numbers near the fit to 26 models whose up axis is known; leaving out any one of them, the
 fit to the others finds its up axis.
+
+A model whose faces and mirror planes follow other axes much better than those of its file stands askew; the
+directions of these axes compete instead, and the custom of the format says little about them.
 """
 
 from dataclasses import dataclass
@@ -11,16 +14,13 @@ from typing import NamedTuple
 
 import numpy as np
 
-from popsim.errors import MeshError
 from popsim.geometry.arrays import FloatArray, locked
 from popsim.geometry.surface import Surface
-from popsim.mesh.directions import axes_about, axis_share, principal_axes
+from popsim.mesh.axes import ASKEW, UP_AXES, axis_name, direction_of
+from popsim.mesh.directions import axes_about, axis_share, inertia_axes, principal_axes
 from popsim.mesh.formats import OTHER_AXIS
 from popsim.mesh.sampling import Samples
 from popsim.mesh.symmetry import MirrorSearch
-
-UP_AXES = ("x", "-x", "y", "-y", "z", "-z")
-"""Names of the model axes, the values of the `up` and `front` options."""
 
 DOWNWARD = 0.005
 """Prior weight of negative axes: nearly nobody stores a model upside down."""
@@ -30,8 +30,12 @@ USUAL = 0.1
 """A custom with more than this weight may be called usual."""
 SLICE = 0.03
 """Share of the height that counts as bottom and as top."""
-ASKEW_GAIN = 0.15
-"""Area share that the NPCA frame must cover beyond the best frame about the up axis for a model to be askew."""
+ASKEW_GAIN = 0.2
+"""How much better than the model's own axes a frame must suit it (:func:`_suits`) for the model to be askew."""
+ANY_TILT = 0.1
+"""Prior weight of every direction of an askew model: it may lie anyhow."""
+SMALL_TILT = 8
+"""Power of the cosine with which the custom of the format fades as the tilt grows: half at 24 degrees."""
 
 
 class Evidence(NamedTuple):
@@ -63,7 +67,7 @@ class UpChoice:
     direction:
         Unit vector in model coordinates, shape (3,).
     name:
-        One of :data:`UP_AXES`, or "askew" if it is none of them.
+        Of the axis that it follows, or "askew" if it is none; see :mod:`popsim.mesh.axes`.
     confidence:
         0..1; 1 where the user said so.
     reason:
@@ -79,15 +83,20 @@ class UpChoice:
         object.__setattr__(self, "direction", locked(self.direction, (3,), "up direction"))
 
 
-def axis_vector(name: str, option: str) -> FloatArray:
-    """Return the unit vector of an axis name; MeshError naming the `option` for another word."""
-    if name not in UP_AXES:
-        raise MeshError(f"{option}: '{name}' is not an axis; expected one of {', '.join(UP_AXES)}")
-    return np.asarray(np.eye(3)["xyz".index(name[-1])] * (-1.0 if name.startswith("-") else 1.0))
+def stated_up(text: str) -> UpChoice:
+    """Return the direction that the user states (:func:`popsim.mesh.axes.direction_of`).
+
+    Raises
+    ------
+    MeshError
+        It is none.
+    """
+    direction = direction_of(text, "up")
+    return UpChoice(direction, axis_name(direction), 1.0, f"{text} is up because the up option says so")
 
 
-def choose_up(surface: Surface, samples: Samples, custom: dict[str, float], up: str = "auto") -> UpChoice:
-    """Find the up direction.
+def choose_up(surface: Surface, samples: Samples, custom: dict[str, float]) -> UpChoice:
+    """Find the up direction by the shape.
 
     Parameters
     ----------
@@ -95,35 +104,30 @@ def choose_up(surface: Surface, samples: Samples, custom: dict[str, float], up: 
         The model, and points on it in the same frame.
     custom:
         Prior weights of the positive axes, by the format.
-    up:
-        An axis name, or "auto".
-
-    Raises
-    ------
-    MeshError
-        `up` is neither.
     """
-    if up != "auto":
-        return UpChoice(axis_vector(up, "up"), up, 1.0, f"{up} is up because the up option says so")
+    search = MirrorSearch(samples)
     prior = [_axis_prior(name, custom) for name in UP_AXES]
-    choice, evidence, confidence = _best(surface, samples, np.eye(3), prior, on_axes=True)
-    axes = principal_axes(samples)
-    if _is_askew(samples, axes, choice // 2):
-        return _askew_choice(surface, samples, axes, custom)
+    choice, evidence, confidence = _best(surface, samples, search, np.eye(3), prior, on_axes=True)
+    own = max(_suits(samples, search, axes) for axes in (np.eye(3), axes_about(samples, choice // 2)))
+    for frame in (principal_axes(samples), inertia_axes(samples)):
+        if _suits(samples, search, frame) > own + ASKEW_GAIN:
+            return _askew_choice(surface, samples, search, frame, custom)
     name = UP_AXES[choice]
     usual = " and ".join(axis for axis, weight in custom.items() if weight > USUAL)
     agrees = "as is usual" if custom.get(name, 0.0) > USUAL else f"although {usual} is usual"
     reason = f"{name} is up, {agrees} for the format: {_why(evidence)}"
-    return UpChoice(axis_vector(name, "up"), name, confidence, reason)
+    return UpChoice(direction_of(name, "up"), name, confidence, reason)
 
 
-def _askew_choice(surface: Surface, samples: Samples, axes: FloatArray, custom: dict[str, float]) -> UpChoice:
-    """Choose among the principal axes of a model that stands askew in its file."""
+def _askew_choice(
+    surface: Surface, samples: Samples, search: MirrorSearch, axes: FloatArray, custom: dict[str, float]
+) -> UpChoice:
+    """Choose among the six directions of the axes that a model follows, askew in its file."""
     directions = _signed(axes)
     prior = [_tilted_prior(direction, custom) for direction in directions]
-    choice, evidence, confidence = _best(surface, samples, axes, prior, on_axes=False)
+    choice, evidence, confidence = _best(surface, samples, search, axes, prior, on_axes=False)
     reason = f"the model stands askew in its file; by its principal axes: {_why(evidence)}"
-    return UpChoice(directions[choice], "askew", confidence, reason)
+    return UpChoice(directions[choice], ASKEW, confidence, reason)
 
 
 def _axis_prior(name: str, custom: dict[str, float]) -> float:
@@ -131,9 +135,21 @@ def _axis_prior(name: str, custom: dict[str, float]) -> float:
 
 
 def _tilted_prior(direction: FloatArray, custom: dict[str, float]) -> float:
-    """Prior of a direction between the axes: tilts are mostly small."""
-    leaning = (weight * max(0.0, float(direction["xyz".index(axis)])) ** 4 for axis, weight in custom.items())
-    return max(DOWNWARD, *leaning)
+    """Prior of a direction between the axes: a small tilt of a custom, or any."""
+    along = {axis: max(0.0, float(direction["xyz".index(axis)])) for axis in custom}
+    return ANY_TILT + sum(weight * along[axis] ** SMALL_TILT for axis, weight in custom.items())
+
+
+def _suits(samples: Samples, search: MirrorSearch, axes: FloatArray) -> float:
+    """How well faces and mirror planes follow axes (3, 3): share of the area, and the best mirror score; 0..2.
+
+    Planes through the middle and the centroid are tried: a perfect one holds both.
+    """
+    points = samples.points @ axes.T
+    middle = (points.min(axis=0) + points.max(axis=0)) / 2
+    centroid = samples.area @ points / samples.area.sum()
+    scores = [search.score(axis, float(at[k])) for k, axis in enumerate(axes) for at in (middle, centroid)]
+    return axis_share(samples, axes) + max(scores)
 
 
 def _signed(axes: FloatArray) -> FloatArray:
@@ -142,9 +158,15 @@ def _signed(axes: FloatArray) -> FloatArray:
 
 
 def _best(
-    surface: Surface, samples: Samples, axes: FloatArray, prior: list[float], *, on_axes: bool
+    surface: Surface,
+    samples: Samples,
+    search: MirrorSearch,
+    axes: FloatArray,
+    prior: list[float],
+    *,
+    on_axes: bool,
 ) -> tuple[int, Evidence, float]:
-    evidence = _evidence(surface, samples, axes, on_axes=on_axes)
+    evidence = _evidence(surface, samples, search, axes, on_axes=on_axes)
     score = np.log(prior) + np.array(evidence) @ np.array(WEIGHTS)
     choice = int(score.argmax())
     return choice, evidence[choice], float(1 / np.exp(score - score[choice]).sum())
@@ -156,11 +178,12 @@ def _why(evidence: Evidence) -> str:
     return ", ".join(words) if words else "the shape says little"
 
 
-def _evidence(surface: Surface, samples: Samples, axes: FloatArray, *, on_axes: bool) -> list[Evidence]:
+def _evidence(
+    surface: Surface, samples: Samples, search: MirrorSearch, axes: FloatArray, *, on_axes: bool
+) -> list[Evidence]:
     """Evidence for the six directions of `axes`, in the order of :func:`_signed`."""
     corners = surface.triangles.reshape(-1, 3) @ axes.T
     low, high = corners.min(axis=0), corners.max(axis=0)
-    search = MirrorSearch(samples)
     mirror = np.array([search.best_plane(axes[k], (low[k], high[k])).score for k in range(3)])
     points = (samples.points @ axes.T - low) / np.maximum(high - low, 1e-300)
     centre = (samples.area @ points) / samples.area.sum()
@@ -188,8 +211,3 @@ def _hull_share(points: FloatArray) -> float:
     from shapely import MultiPoint
 
     return float(MultiPoint(points).convex_hull.area) if len(points) else 0.0
-
-
-def _is_askew(samples: Samples, axes: FloatArray, up: int) -> bool:
-    """Whether the faces line up with `axes` much better than with any frame about the coordinate axis `up`."""
-    return axis_share(samples, axes) > axis_share(samples, axes_about(samples, up)) + ASKEW_GAIN

@@ -10,7 +10,7 @@ from popsim.geometry.arrays import FloatArray
 from popsim.geometry.surface import Surface
 
 if TYPE_CHECKING:
-    from popsim.mesh.alignment import Alignment, Fold, Method
+    from popsim.mesh.alignment import Alignment, Fold
     from popsim.mesh.model import Model
 
 
@@ -54,8 +54,13 @@ class Stance:
 
     up: str = "auto"
     front: str | None = None
-    align: "Method" = "npca"
+    align: str = "npca"
     fold: "Fold" = "auto"
+
+    def __post_init__(self) -> None:
+        from popsim.mesh.alignment import check_options
+
+        check_options(self.up, self.front, self.align, self.fold)
 
 
 def prepare(path: Path, stance: Stance, size: float, seed: int) -> Prepared:

@@ -20,8 +20,10 @@ def report_of(run: DesignRun, layout: Layout | None, command: str) -> dict[str, 
         "passed": run.verdict.passed,
         "alignment": {
             "axes": list(prepared.alignment.axes),
-            "confidence": _rounded(prepared.alignment.confidence),
+            "confidence": _rounded(prepared.alignment.up.confidence),
+            "heading_confidence": _rounded(prepared.alignment.heading_confidence),
             "symmetry": _rounded(prepared.alignment.symmetry.score),
+            "symmetry_centred": prepared.alignment.symmetry.centred,
             "reasons": list(prepared.alignment.reasons),
         },
         "fit": {

@@ -41,7 +41,7 @@ def test_what_is_no_model_is_named(popsim, tmp_path: Path, name: str, content: s
         (("design", "m.obj", "--dpi", 5), "dpi"),
         (("design", "m.obj", "--format", "docx"), "docx"),
         (("design", "m.obj", "--registration", "moon"), "moon"),
-        (("design", "m.obj", "--up", "w"), "--up"),
+        (("design", "m.obj", "--up", "w"), "up: 'w'"),
         (("design", "m.obj", "-o", "m.obj"), "file, not a folder"),
         (("verify", "missing.json"), "does not exist"),
         (("verify", "m.obj"), "JSON"),

@@ -1,5 +1,6 @@
 """The canonical frame depends on the shape, not on how it stands in its file."""
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -68,6 +69,61 @@ def test_askew_truck_is_found_in_space(tilt: float, heading: float) -> None:
     np.testing.assert_allclose(found.matrix @ matrix, CENTRED_TRUCK, atol=1e-2)
 
 
+OWN_MODELS = ("truck/truck.obj", "hotel/hotel.glb", "ship/ship.obj", "t_shape/t_shape.stl")
+
+
+def any_turn(rng: np.random.Generator) -> FloatArray:
+    """A rotation about any axis by any angle, all equally likely."""
+    from scipy.spatial.transform import Rotation
+
+    matrix = np.eye(4)
+    matrix[:3, :3] = Rotation.random(rng=rng).as_matrix()
+    return matrix
+
+
+def stated(direction: FloatArray) -> str:
+    return ",".join(repr(float(part)) for part in direction)
+
+
+@pytest.mark.parametrize("name", OWN_MODELS)
+@pytest.mark.parametrize("seed", [0, 1])
+def test_a_model_lying_askew_stands_as_the_upright_one_where_up_is_stated(
+    name: str, seed: int, models: Path
+) -> None:
+    upright = load_model(models / name)
+    matrix = any_turn(np.random.default_rng(seed)) @ shift(3, -20, 7)
+    askew = replace(upright, surface=upright.surface.transformed(matrix))
+    expected = align(upright)
+    found = align(askew, up=stated(matrix[:3, :3] @ expected.up.direction))
+    sizes = (np.ptp(bounds, axis=0) for bounds in (found.box.bounds, expected.box.bounds))
+    np.testing.assert_allclose(*sizes, atol=1e-9)
+    assert found.symmetry.score == pytest.approx(expected.symmetry.score, abs=0.005)
+    total, wanted = found.matrix @ matrix, expected.matrix
+    alike = "look alike" in " ".join(expected.reasons)  # then a half turn is as good
+    half = np.diag([-1.0, -1.0, 1.0, 1.0])
+    gap = min(np.abs(total - turned).max() for turned in ((wanted, half @ wanted) if alike else (wanted,)))
+    assert gap < 1e-4
+
+
+@pytest.mark.parametrize("seed", [0, 1, 2])
+def test_a_model_lying_anyhow_is_set_on_one_of_its_sides(seed: int, models: Path) -> None:
+    upright = load_model(models / "hotel" / "hotel.glb")
+    matrix = any_turn(np.random.default_rng(seed))
+    found = align(replace(upright, surface=upright.surface.transformed(matrix)))
+    total = np.abs(found.matrix @ matrix)[:3, :3]
+    np.testing.assert_allclose(np.sort(total, axis=1), [[0, 0, 1]] * 3, atol=1e-3)
+    assert found.up.confidence < align(upright, up="y").up.confidence == 1.0
+    assert "stands askew in its file" in found.reasons[0]
+
+
+@pytest.mark.parametrize("degrees", [0, 30, -45, 120])
+def test_the_user_may_turn_the_model(degrees: float) -> None:
+    found = align(model_of(truck_mesh()), up="z", method=f"{degrees}deg", front=stated(turn(Z, degrees)[:3, 0]))
+    np.testing.assert_allclose(found.matrix[0, :3], turn(Z, degrees)[:3, 0], atol=1e-12)
+    assert found.heading_confidence == 1
+    assert f"turned by {degrees}deg" in found.reasons[1]
+
+
 def test_method_none_keeps_the_model_axes() -> None:
     found = align(model_of(truck_mesh(), turn(Z, 30)), method="none")
     assert set(np.abs(found.matrix[:3, :3]).ravel()) == {0.0, 1.0}
@@ -130,10 +186,12 @@ def test_tessellation_does_not_matter() -> None:
 @pytest.mark.parametrize(
     ("options", "message"),
     [
-        ({"up": "w"}, "up: 'w' is unknown; expected one of x, -x"),
-        ({"front": "w"}, "front: 'w' is unknown"),
+        ({"up": "w"}, "up: 'w' is no direction; expected one of x, -x"),
+        ({"front": "w"}, "front: 'w' is no direction"),
         ({"front": "-z", "up": "z"}, "front: '-z' is the up axis"),
-        ({"method": "pca"}, "method: 'pca' is unknown; expected one of npca, edges, none"),
+        ({"method": "30rad"}, "align: '30rad' is unknown; expected one of npca"),
+        ({"front": "0.1,0,3", "up": "z"}, "front: '0.1,0,3' is the up axis"),
+        ({"method": "pca"}, "align: 'pca' is unknown; expected one of npca, edges, none, or an angle"),
         ({"fold": "wide"}, "fold: 'wide' is unknown"),
     ],
 )

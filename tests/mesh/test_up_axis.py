@@ -9,10 +9,11 @@ from mesh_solids import boxes_mesh, model_of, shift, truck_mesh, turn
 
 from popsim.errors import MeshError
 from popsim.geometry.arrays import FloatArray
+from popsim.mesh.axes import UP_AXES
 from popsim.mesh.formats import FORMATS
 from popsim.mesh.loading import load_model
 from popsim.mesh.sampling import sample_surface
-from popsim.mesh.up_axis import UP_AXES, UpChoice, choose_up
+from popsim.mesh.up_axis import UpChoice, choose_up, stated_up
 
 X, Y = np.eye(3)[:2]
 TO_Y_UP = turn(X, -90)
@@ -20,9 +21,9 @@ LEAST_RIGHT = 26
 """Of the 27 real models; one is a ball and one a heap of triangles, where up is a matter of taste."""
 
 
-def chosen(mesh: trimesh.Trimesh, matrix: FloatArray, suffix: str, up: str = "auto") -> UpChoice:
+def chosen(mesh: trimesh.Trimesh, matrix: FloatArray, suffix: str) -> UpChoice:
     surface = model_of(mesh, matrix, suffix).surface
-    return choose_up(surface, sample_surface(surface, 2000, seed=0), FORMATS[suffix].up, up)
+    return choose_up(surface, sample_surface(surface, 2000, seed=0), FORMATS[suffix].up)
 
 
 def known_models(folder: Path) -> list[tuple[Path, str]]:
@@ -83,13 +84,21 @@ def test_an_askew_truck_is_set_upright() -> None:
 
 
 @pytest.mark.parametrize("name", UP_AXES)
-def test_the_option_wins(name: str) -> None:
-    choice = chosen(truck_mesh(), np.eye(4), ".stl", name)
+def test_the_option_names_an_axis(name: str) -> None:
+    choice = stated_up(name)
     assert choice.name == name
     assert choice.confidence == 1
     assert choice.direction["xyz".index(name[-1])] == (-1 if name.startswith("-") else 1)
 
 
-def test_unknown_option() -> None:
-    with pytest.raises(MeshError, match="'up' is not an axis; expected one of x, -x"):
-        chosen(truck_mesh(), np.eye(4), ".stl", "up")
+def test_the_option_states_any_direction() -> None:
+    choice = stated_up("0, 3, 4")
+    assert choice.name == "askew"
+    np.testing.assert_allclose(choice.direction, [0, 0.6, 0.8])
+    assert stated_up("0,2,0.01").name == "y"
+
+
+@pytest.mark.parametrize("text", ["up", "1,2", "0,0,0", "1,nan,2", "1,inf,0", "x,y,z", ""])
+def test_unknown_option(text: str) -> None:
+    with pytest.raises(MeshError, match=f"up: '{text}' is no direction; expected one of x, -x"):
+        stated_up(text)
