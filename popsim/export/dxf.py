@@ -50,7 +50,8 @@ def _document(sheet: Sheet, style: Style) -> "Drawing":
             layer.dxf.linetype = role.value
     space = document.modelspace()
     for mark in sheet.marks:
-        _draw(space, mark)
+        if mark.role is not Role.PRINT:  # pictures, and white under creases on them
+            _draw(space, mark)
     return document
 
 
@@ -76,7 +77,7 @@ def _draw(space: "Modelspace", mark: Mark) -> None:
             )
             text.set_placement(tuple(_rounded(mark.at[None])[0]), align=align[mark.anchor])
         case Picture():
-            pass  # the cutter needs the outline alone
+            pass
 
 
 def _look(space: "Modelspace", role: Meaning) -> str:

@@ -7,16 +7,23 @@ from typing import Any
 import numpy as np
 
 from popsim.export.job import Job
-from popsim.export.styles import Style
+from popsim.export.styles import WHITE, Style
 from popsim.export.textures import packed_texture
 from popsim.geometry.arrays import FloatArray
-from popsim.layout.sheet import Area, Line, Mark, Picture, Sheet, Text
+from popsim.layout.sheet import HALO, Area, Line, Mark, Picture, Sheet, Text
 
 POINTS = 72 / 25.4
 """Points in a millimetre."""
 
 FONT, BOLD = "Vera", "VeraBd"
 """Bitstream Vera Sans comes with reportlab and is embedded, so that every printer shows the same."""
+
+
+FILL, OUTLINE = 0, 1
+"""How PDF renders letters."""
+
+ROUND = 1
+"""How PDF joins lines."""
 
 
 def write_pdf(job: Job, path: Path) -> tuple[Path, ...]:
@@ -89,7 +96,12 @@ def _text(canvas: Any, mark: Text, style: Style) -> None:
     canvas.translate(*(mark.at * POINTS))
     canvas.rotate(float(np.degrees(mark.angle)))
     draw = {"start": canvas.drawString, "middle": canvas.drawCentredString, "end": canvas.drawRightString}
-    draw[mark.anchor](0, 0, mark.text)
+    if mark.halo:
+        canvas.setStrokeColorRGB(*WHITE)
+        canvas.setLineWidth(HALO * mark.size * POINTS)
+        canvas.setLineJoin(ROUND)
+        draw[mark.anchor](0, 0, mark.text, mode=OUTLINE)
+    draw[mark.anchor](0, 0, mark.text, mode=FILL)
 
 
 def _picture(canvas: Any, mark: Picture, texture_root: Path) -> None:

@@ -8,6 +8,7 @@ from popsim.layout.sheet import Meaning, Role
 
 Colour = tuple[float, float, float]
 
+WHITE: Colour = (1.0, 1.0, 1.0)
 BLACK: Colour = (0.0, 0.0, 0.0)
 GREY: Colour = (0.35, 0.35, 0.35)
 PALE: Colour = (0.85, 0.85, 0.85)
@@ -55,7 +56,7 @@ def _style(name: str, cut: Stroke, mountain: Stroke, valley: Stroke) -> Style:
         Role.MOUNTAIN: mountain,
         Role.VALLEY: valley,
         Role.GLUE: Stroke(PALE, 0.1),
-        Role.PRINT: Stroke(BLACK, 0.1),
+        Role.PRINT: Stroke(WHITE, 0.5),
         Role.LABEL: Stroke(GREY, 0.15),
         Role.REGISTRATION: Stroke(BLACK, 0.3),
     }

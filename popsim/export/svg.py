@@ -7,10 +7,10 @@ from typing import Any
 import numpy as np
 
 from popsim.export.job import Job, numbered
-from popsim.export.styles import Colour, Style
+from popsim.export.styles import WHITE, Colour, Style
 from popsim.export.textures import packed_texture
 from popsim.geometry.arrays import FloatArray
-from popsim.layout.sheet import Area, Line, Mark, Picture, Role, Sheet, Text
+from popsim.layout.sheet import HALO, Area, Line, Mark, Picture, Role, Sheet, Text
 
 FONTS = "Bitstream Vera Sans, DejaVu Sans, Verdana, sans-serif"
 
@@ -89,6 +89,10 @@ def _text(mark: Text, style: Style, sheet: Sheet) -> Any:
 
     x, y = mark.at[0], sheet.height - mark.at[1]
     turn = f"translate({_number(x)} {_number(y)}) rotate({_number(-float(np.degrees(mark.angle)))})"
+    rim: dict[str, Any] = {}
+    if mark.halo:
+        rim = {"stroke": _colour(WHITE), "stroke_width": _number(HALO * mark.size), "paint_order": "stroke"}
+        rim["stroke_linejoin"] = "round"
     return drawsvg.Text(
         mark.text,
         _number(mark.size),
@@ -99,6 +103,7 @@ def _text(mark: Text, style: Style, sheet: Sheet) -> Any:
         font_weight="bold" if mark.bold else "normal",
         text_anchor=ANCHORS[mark.anchor],
         transform=turn,
+        **rim,
     )
 
 

@@ -1,26 +1,17 @@
-"""The marks of one piece on its sheet: picture, places, outline, creases, numbers, name."""
+"""The marks of one piece on its sheet: pictures, places, outline, creases, numbers, name."""
 
-from collections.abc import Iterator, Mapping
-from typing import TYPE_CHECKING
+from collections.abc import Iterator
 
 import numpy as np
 
-from popsim.geometry.arrays import FloatArray
 from popsim.geometry.flat import move, move_shape, without
-from popsim.layout.fitted_text import fitted_text
+from popsim.layout.fitted_text import LEGIBLE, Lettering
 from popsim.layout.flap import Flap
 from popsim.layout.folding import Crease
 from popsim.layout.layout import Layout, Placement
-from popsim.layout.parts import Part
-from popsim.layout.sheet import Area, Line, Mark, Picture, Role, Text
+from popsim.layout.piece_pictures import glued, pictures, rings
+from popsim.layout.sheet import Area, Line, Mark, Role, Text
 from popsim.layout.sites import Face
-
-if TYPE_CHECKING:
-    from shapely.geometry import Polygon
-    from shapely.geometry.base import BaseGeometry
-
-BLEED = 1.0
-"""mm of picture beyond the outline of its part, so that a cut beside the line leaves no white."""
 
 NUMBER_SIZE = 3.0
 """mm; font size of the numbers of glue joints, smaller where there is less room."""
@@ -39,16 +30,12 @@ def piece_marks(layout: Layout, placement: Placement, *, two_sided: bool) -> Ite
 
     With `two_sided` places on the reverse are left to :func:`reverse_marks`.
     """
-    piece = placement.piece
-    motions = {part: placement.motion @ motion for part, motion in piece.motions.items()}
-    named = _named_flap(layout, placement)
-    yield from _pictures(layout.parts, motions)
+    piece, lettering = placement.piece, _lettering(layout, placement)
+    yield from pictures(layout, placement)
+    yield from _casings(placement, lettering)
     for flap in piece.places:
-        number, landing = layout.numbers[flap.joint.id], move_shape(motions[flap.target], flap.landing)
         if flap.face is Face.PRINTED:
-            yield from _glue_place(number, landing)
-        elif not two_sided:
-            yield fitted_text(f"({number})", landing, BEHIND_SIZE)
+            yield from _glue_place(placement, flap)
     for ring in (piece.outline.exterior, *piece.outline.interiors):
         yield Line(Role.CUT, move(placement.motion, np.array(ring.coords)[:-1]), closed=True)
     for slit in piece.slits:
@@ -56,64 +43,97 @@ def piece_marks(layout: Layout, placement: Placement, *, two_sided: bool) -> Ite
     for fold in piece.folds:
         yield Line(_CREASES[fold.crease], move(placement.motion, fold.ends))
     for flap in piece.flaps:
-        name = f" {piece.name}" if flap is named else ""
-        yield from _flap(flap, f"{layout.numbers[flap.joint.id]}{name}", motions[flap.carrier])
-    if named is None:
-        yield from _name(layout, placement)
+        if flap.crease is Crease.NONE:  # a seam: nothing folds, the line only shows where the other part begins
+            yield Line(Role.LABEL, move(placement.motion @ piece.motions[flap.carrier], flap.line))
+    yield from _texts(layout, placement, lettering, two_sided)
 
 
 def reverse_marks(layout: Layout, placement: Placement, width: float) -> Iterator[Mark]:
     """Places on the reverse of a piece and its name, mirrored for the back of a sheet of `width` mm."""
-    mirror = np.array([[-1.0, 0.0, width], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]])
-    piece = placement.piece
-    for flap in piece.places:
-        if flap.face is Face.REVERSE:
-            whole = mirror @ placement.motion @ piece.motions[flap.target]
-            yield from _glue_place(layout.numbers[flap.joint.id], move_shape(whole, flap.landing))
-    largest = max(piece.motions, key=lambda part: layout.parts[part].polygon.area)
-    shape = move_shape(mirror @ placement.motion @ piece.motions[largest], layout.parts[largest].polygon)
-    yield fitted_text(piece.name, shape, NAME_SIZE)
-
-
-def _glue_place(number: int, landing: "Polygon") -> Iterator[Mark]:
-    yield Area(Role.GLUE, tuple(_rings(landing)))
-    yield fitted_text(str(number), landing, NUMBER_SIZE)
-
-
-def _flap(flap: Flap, text: str, motion: FloatArray) -> Iterator[Mark]:
-    if flap.crease is Crease.NONE:  # a seam: nothing folds, the line only shows where the other part begins
-        yield Line(Role.LABEL, move(motion, flap.line))
-    yield fitted_text(text, move_shape(motion, flap.polygon), NUMBER_SIZE)
-
-
-def _pictures(parts: Mapping[str, Part], motions: Mapping[str, FloatArray]) -> Iterator[Picture]:
-    """Textures of the parts of a piece, bled over the outline but not over other parts."""
     import shapely
 
-    moved = {name: move_shape(motion, parts[name].polygon) for name, motion in motions.items()}
-    for name, motion in motions.items():
-        patch = parts[name].patch
-        if patch.texture is None or patch.texture_frame is None:
-            continue
-        frame = patch.texture_frame
-        corner, right, up = (np.array(v) for v in (frame.origin, frame.right, frame.up))
-        flat = move(motion, parts[name].flat(np.array([corner, corner + right, corner + up])))
-        affine = np.eye(3)
-        affine[:2, 0], affine[:2, 1], affine[:2, 2] = flat[1] - flat[0], flat[2] - flat[0], flat[0]
-        others = shapely.unary_union([shape for other, shape in moved.items() if other != name])
-        clip = without(moved[name].buffer(BLEED, join_style="mitre", mitre_limit=2), others).union(moved[name])
-        yield Picture(Role.PRINT, patch.texture, affine, tuple(_rings(clip)))
+    mirror = np.array([[-1.0, 0.0, width], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]])
+    piece = placement.piece
+    behind = Placement(piece, placement.sheet, mirror @ placement.motion)
+    lettering = Lettering(move_shape(behind.motion, piece.outline), shapely.Polygon())
+    for flap in piece.places:
+        if flap.face is Face.REVERSE:
+            yield from _glue_place(behind, flap)
+            landing = move_shape(behind.motion @ piece.motions[flap.target], flap.landing)
+            yield lettering.put(str(layout.numbers[flap.joint.id]), landing, NUMBER_SIZE)
+    largest = max(piece.motions, key=lambda part: layout.parts[part].polygon.area)
+    shape = move_shape(behind.motion @ piece.motions[largest], layout.parts[largest].polygon)
+    yield lettering.put(piece.name, shape, NAME_SIZE)
 
 
-def _named_flap(layout: Layout, placement: Placement) -> Flap | None:
+def _glue_place(placement: Placement, flap: Flap) -> Iterator[Area]:
+    landing = move_shape(placement.motion @ placement.piece.motions[flap.target], flap.landing)
+    yield Area(Role.GLUE, tuple(rings(landing)))
+
+
+def _casings(placement: Placement, lettering: Lettering) -> Iterator[Line]:
+    """White under the creases on pictures, in whose colours they would be lost."""
+    import shapely
+
+    for fold in placement.piece.folds:
+        ends = move(placement.motion, fold.ends)
+        if lettering.printed.intersects(shapely.LineString(ends)):
+            yield Line(Role.PRINT, ends)
+
+
+def _texts(layout: Layout, placement: Placement, lettering: Lettering, two_sided: bool) -> Iterator[Text]:
+    """Numbers on flaps and places, and the name of the piece, off each other."""
+    piece = placement.piece
+    named = _named_flap(layout, placement, lettering)
+    for flap in piece.flaps:
+        shape = move_shape(placement.motion @ piece.motions[flap.carrier], flap.polygon)
+        yield lettering.put(_flap_text(layout, placement, flap, named=flap is named), shape, NUMBER_SIZE)
+    for flap in sorted(piece.places, key=lambda flap: flap.face is Face.REVERSE):
+        number = layout.numbers[flap.joint.id]
+        landing = move_shape(placement.motion @ piece.motions[flap.target], flap.landing)
+        if flap.face is Face.PRINTED:
+            yield lettering.put(str(number), landing, NUMBER_SIZE)
+        elif not two_sided:
+            yield lettering.put(f"({number})", landing, BEHIND_SIZE)
+    if named is None:
+        yield from _name(layout, placement, lettering)
+
+
+def _lettering(layout: Layout, placement: Placement) -> Lettering:
+    """Texts on the printed side of a piece; pictures and blank places in them are told apart."""
+    import shapely
+
+    piece = placement.piece
+    pictured = [part for part in piece.motions if layout.parts[part].patch.texture is not None]
+    shapes = [
+        without(
+            move_shape(placement.motion @ piece.motions[part], layout.parts[part].polygon),
+            glued(layout, placement, part),
+        )
+        for part in pictured
+    ]
+    return Lettering(move_shape(placement.motion, piece.outline), shapely.unary_union(shapes))
+
+
+def _flap_text(layout: Layout, placement: Placement, flap: Flap, *, named: bool) -> str:
+    number = str(layout.numbers[flap.joint.id])
+    return f"{number} {placement.piece.name}" if named else number
+
+
+def _named_flap(layout: Layout, placement: Placement, lettering: Lettering) -> Flap | None:
     """The flap that bears the name where all parts bear pictures: it is hidden once it is glued."""
     piece = placement.piece
-    if not piece.flaps or any(layout.parts[part].patch.texture is None for part in piece.motions):
+    if any(layout.parts[part].patch.texture is None for part in piece.motions):
         return None
-    return max(piece.flaps, key=lambda flap: flap.polygon.area)
+    fitting = []
+    for flap in piece.flaps:
+        shape = move_shape(placement.motion @ piece.motions[flap.carrier], flap.polygon)
+        if lettering.fits(_flap_text(layout, placement, flap, named=True), shape, LEGIBLE):
+            fitting.append(flap)
+    return max(fitting, key=lambda flap: flap.polygon.area, default=None)
 
 
-def _name(layout: Layout, placement: Placement) -> Iterator[Text]:
+def _name(layout: Layout, placement: Placement, lettering: Lettering) -> Iterator[Text]:
     """The name of a piece in the largest free spot, of a part without picture if there is one."""
     import shapely
 
@@ -127,13 +147,4 @@ def _name(layout: Layout, placement: Placement) -> Iterator[Text]:
                 free.append((printed, -round(shape.area, 3), shape))
     if free:
         shape = min(free, key=lambda entry: entry[:2])[2]
-        yield fitted_text(piece.name, move_shape(placement.motion, shape), NAME_SIZE)
-
-
-def _rings(shape: "BaseGeometry") -> Iterator[FloatArray]:
-    import shapely
-
-    for piece in shapely.get_parts(shape):
-        if piece.geom_type == "Polygon":
-            for ring in (piece.exterior, *piece.interiors):
-                yield np.array(ring.coords)[:-1]
+        yield lettering.put(piece.name, move_shape(placement.motion, shape), NAME_SIZE)

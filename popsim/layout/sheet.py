@@ -60,7 +60,10 @@ class Area:
 
 @dataclass(frozen=True, eq=False)
 class Text:
-    """A line of text at its baseline: `size` of the font and `at` (2,) in mm, `angle` in radians."""
+    """A line of text at its baseline: `size` of the font and `at` (2,) in mm, `angle` in radians.
+
+    `halo` puts a rim of white round the letters, which stand on a picture.
+    """
 
     role: Meaning
     text: str
@@ -69,6 +72,7 @@ class Text:
     angle: float = 0.0
     anchor: Anchor = "start"
     bold: bool = False
+    halo: bool = False
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "at", locked(self.at, (2,), "text"))
@@ -131,6 +135,10 @@ def shifted(mark: Mark, by: FloatArray) -> Mark:
 
 TEXT_WIDTH = 0.62
 """Width of a letter in font sizes, a little above the mean of the sans font that is embedded."""
+
+
+HALO = 0.3
+"""Width of the rim of white round a text, on all sides together, of the size of the font."""
 
 
 def text_width(text: str, size: float) -> float:

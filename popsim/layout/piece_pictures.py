@@ -1,0 +1,69 @@
+"""The pictures on a piece, clipped with bleed, and blank where something is glued."""
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from popsim.geometry.flat import move, move_shape, without
+from popsim.layout.layout import Layout, Placement
+from popsim.layout.sheet import Picture, Role
+from popsim.layout.sites import Face
+
+if TYPE_CHECKING:
+    from shapely.geometry.base import BaseGeometry
+
+from popsim.geometry.arrays import FloatArray
+
+BLEED = 1.0
+"""mm of picture beyond the outline of its part, so that a cut beside the line leaves no white."""
+
+UNDERLAP = 0.5
+"""mm of picture under the rim of what is glued onto it, so that no white shows beside it; the rest is for glue."""
+
+
+def pictures(layout: Layout, placement: Placement) -> Iterator[Picture]:
+    """Textures of the parts of a piece: bled over the outline, not over other parts, and not under flaps."""
+    import shapely
+
+    piece = placement.piece
+    bleed = min(BLEED, layout.settings.gap / 2)
+    motions = {name: placement.motion @ motion for name, motion in piece.motions.items()}
+    moved = {name: move_shape(motion, layout.parts[name].polygon) for name, motion in motions.items()}
+    for name, motion in motions.items():
+        part = layout.parts[name]
+        frame = part.patch.texture_frame
+        if part.patch.texture is None or frame is None:
+            continue
+        corner, right, up = (np.array(v) for v in (frame.origin, frame.right, frame.up))
+        flat = move(motion, part.flat(np.array([corner, corner + right, corner + up])))
+        affine = np.eye(3)
+        affine[:2, 0], affine[:2, 1], affine[:2, 2] = flat[1] - flat[0], flat[2] - flat[0], flat[0]
+        others = shapely.unary_union([shape for other, shape in moved.items() if other != name])
+        bled = without(moved[name].buffer(bleed, join_style="mitre", mitre_limit=2), others).union(moved[name])
+        yield Picture(
+            Role.PRINT, part.patch.texture, affine, tuple(rings(without(bled, glued(layout, placement, name))))
+        )
+
+
+def glued(layout: Layout, placement: Placement, part: str) -> "BaseGeometry":
+    """Where flaps are glued onto the printed side of a part, less what lies under their rims, on the sheet."""
+    import shapely
+
+    motion = placement.motion @ placement.piece.motions[part]
+    landings = [
+        move_shape(motion, flap.landing).buffer(-UNDERLAP, join_style="mitre")
+        for flap in placement.piece.places
+        if flap.target == part and flap.face is Face.PRINTED
+    ]
+    return shapely.unary_union(landings)
+
+
+def rings(shape: "BaseGeometry") -> Iterator[FloatArray]:
+    """All rings of the areas in `shape`, holes included, each (n, 2) and not closed."""
+    import shapely
+
+    for piece in shapely.get_parts(shape):
+        if piece.geom_type == "Polygon":
+            for ring in (piece.exterior, *piece.interiors):
+                yield np.array(ring.coords)[:-1]
