@@ -20,6 +20,7 @@ STOREYS = [
     {"simulation", "layout"},
     {"verification", "assembly"},
     {"export", "pictures"},
+    {"booklet"},
     {"pipeline"},
     {"cli"},
     {"__main__"},

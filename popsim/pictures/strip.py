@@ -13,6 +13,7 @@ from popsim.geometry.arrays import FloatArray, UInt8Array
 from popsim.geometry.surface import Surface
 
 if TYPE_CHECKING:
+    from popsim.patches.popup_surface import Textures
     from popsim.rendering.camera import Camera
 
 RECORDED = 180
@@ -97,6 +98,22 @@ def picture_strip(
         pictures.append(_page(sheet, look))
         captions.append("sheet")
     return contact_sheet(pictures, captions, len(pictures))
+
+
+def open_picture(design: Design, textures: "Textures", look: Look | None = None) -> UInt8Array:
+    """Draw the open pop-up, RGBA, shape (h, w, 4).
+
+    Raises
+    ------
+    InputError
+        A texture is missing or no image.
+    """
+    from popsim.patches.popup_surface import popup_surface
+    from popsim.rendering.camera import Camera
+
+    look = look or Look()
+    camera = Camera.looking_at(_popup_box(design), look.azimuth, look.elevation, aspect=look.width / look.height)
+    return _picture(popup_surface(design, textures), camera, look)
 
 
 def _popup_box(design: Design) -> FloatArray:

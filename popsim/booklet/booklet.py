@@ -1,0 +1,74 @@
+"""What stands in a booklet, whatever it is printed on."""
+
+from dataclasses import dataclass
+
+from popsim.assembly import AssemblyPlan, StepKind
+from popsim.booklet import wording
+from popsim.booklet.column import text_height
+from popsim.booklet.cutting import draw_cutting
+from popsim.booklet.eye import viewpoint
+from popsim.booklet.figure import Draughtsman
+from popsim.booklet.format import Format
+from popsim.booklet.things import Eye
+from popsim.layout.sheet import Sheet
+
+
+@dataclass(frozen=True, eq=False)
+class Entry:
+    """One step: its number, what to do, and a figure that goes below."""
+
+    number: int
+    text: str
+    figure: Sheet
+
+
+@dataclass(frozen=True, eq=False)
+class Booklet:
+    """The content of a booklet.
+
+    Attributes
+    ----------
+    name:
+        Of the model.
+    facts:
+        How much there is to do, in a line.
+    picture:
+        Path of the picture of the finished pop-up, relative to the folder of the design.
+    aspect:
+        Width of the picture by its height.
+    entries:
+        The steps.
+    checks:
+        What to look at when it is done, one sentence each; may be empty.
+    """
+
+    name: str
+    facts: str
+    picture: str
+    aspect: float
+    entries: tuple[Entry, ...]
+    checks: tuple[str, ...] = ()
+
+
+def make_booklet(
+    plan: AssemblyPlan, name: str, picture: str, aspect: float, form: Format, checks: tuple[str, ...] = ()
+) -> Booklet:
+    """Draw the figures of all steps of a plan for pages of a format."""
+    layout = plan.layout
+    draughtsman = Draughtsman(Eye(layout, viewpoint()))
+    entries = []
+    for step in plan.steps:
+        whole = step.kind in (StepKind.CUT, StepKind.FINISH)
+        height = form.figure_height(text_height(step.text, form.body, form.text_width), whole_page=whole)
+        if step.kind is StepKind.CUT:
+            figure = draw_cutting(layout, step.number, form.width, height)
+        else:
+            figure = draughtsman.figure(step, form.width, height)
+        entries.append(Entry(step.number, step.text, figure))
+    facts = wording.FACTS.format(
+        pieces=wording.counted(len(layout.pieces), wording.PIECES),
+        sheets=wording.counted(layout.sheet_count, wording.SHEETS),
+        paper=layout.paper.name,
+        steps=wording.counted(len(plan.steps), wording.STEPS),
+    )
+    return Booklet(name, facts, picture, aspect, tuple(entries), checks)

@@ -1,0 +1,158 @@
+"""Labels that do not collide: inside what they name where there is room, else beside it with a line to it."""
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from popsim.booklet.inks import Ink
+from popsim.geometry.arrays import FloatArray
+from popsim.geometry.flat import flat_motion, move_shape
+from popsim.layout.fitted_text import RISE
+from popsim.layout.sheet import Area, Line, Mark, Text, text_width
+
+if TYPE_CHECKING:
+    from shapely.geometry import Polygon
+    from shapely.geometry.base import BaseGeometry
+
+PAD = 0.5
+"""mm round the text of a label."""
+
+DISTANCES = (4.0, 6.5, 9.0, 12.0, 16.0, 21.0, 27.0, 35.0)
+"""mm from what a label names to its middle."""
+
+DIRECTIONS = 16
+"""Directions tried at each distance."""
+
+OFFSETS = np.array(
+    [
+        [distance * np.cos(angle), distance * np.sin(angle)]
+        for distance in DISTANCES
+        for angle in 0.2 + np.arange(DIRECTIONS) * 2 * np.pi / DIRECTIONS
+    ]
+)
+"""All places that are tried, from what is named, mm, shape (n, 2)."""
+
+COVERED, AWAY = 6.0, 0.25
+"""What a label costs that lies on the drawing altogether, and per mm of distance."""
+
+
+@dataclass(frozen=True, eq=False)
+class Wish:
+    """A label that is wanted.
+
+    Attributes
+    ----------
+    text:
+        What it says.
+    area:
+        What it names, as far as that is seen, on the page, mm.
+    size:
+        mm; of the font.
+    badge:
+        A number in a ring; else plain words.
+    inside:
+        Whether it may stand within the area.
+    """
+
+    text: str
+    area: "BaseGeometry"
+    size: float
+    badge: bool = False
+    inside: bool = True
+
+
+@dataclass
+class Labels:
+    """Places labels one after the other.
+
+    Attributes
+    ----------
+    window:
+        Where labels may be.
+    drawing:
+        What is better not covered.
+    taken:
+        Boxes and lines of the labels placed so far, and whatever else must stay free.
+    """
+
+    window: "Polygon"
+    drawing: "BaseGeometry"
+    taken: list["BaseGeometry"] = field(default_factory=list)
+
+    def place(self, wishes: Iterable[Wish]) -> Iterator[Mark]:
+        """Marks of all labels; one for which there is no place at all is left out."""
+        for wish in wishes:
+            found = self._inside(wish) or self._beside(wish)
+            if found is not None:
+                middle, leader = found
+                self.taken.append(_box(wish, middle))
+                if leader is not None:
+                    self.taken.append(_line(leader))
+                    yield Line(Ink.LEADER, leader)
+                yield from _label(wish, middle)
+
+    def _free(self, shape: "BaseGeometry") -> bool:
+        return bool(self.window.contains(shape)) and not any(shape.intersects(other) for other in self.taken)
+
+    def _inside(self, wish: Wish) -> tuple[FloatArray, None] | None:
+        import shapely
+
+        parts = [part for part in shapely.get_parts(wish.area) if part.geom_type == "Polygon"]
+        if not wish.inside or not parts:
+            return None
+        part = max(parts, key=lambda part: float(part.area))
+        widest = shapely.maximum_inscribed_circle(part, tolerance=0.2)
+        for spot in (part.centroid, widest):
+            middle = np.array(spot.coords[0])
+            box = _box(wish, middle)
+            if part.contains(box) and self._free(box):
+                return middle, None
+        return None
+
+    def _beside(self, wish: Wish) -> tuple[FloatArray, FloatArray] | None:
+        """Middle and leader of the best free place near what is named."""
+        import shapely
+
+        if wish.area.is_empty:
+            return None
+        anchor = np.array(wish.area.representative_point().coords[0])
+        box, middles = _box(wish, np.zeros(2)), anchor + OFFSETS
+        boxes = np.array([move_shape(flat_motion(0.0, middle), box) for middle in middles])
+        leaders = shapely.linestrings(np.stack([np.broadcast_to(anchor, middles.shape), middles], axis=1))
+        leaders = shapely.difference(leaders, boxes)
+        taken = shapely.union_all(self.taken)
+        free = shapely.contains(self.window, boxes) & ~shapely.is_empty(leaders)
+        free &= ~shapely.intersects(taken, boxes) & ~shapely.intersects(taken, leaders)
+        if not free.any():
+            return None
+        covered = shapely.area(shapely.intersection(self.drawing, boxes[free])) / box.area
+        away = np.linalg.norm(OFFSETS[free], axis=1)
+        best = np.flatnonzero(free)[int((AWAY * away + COVERED * covered).round(6).argmin())]
+        return middles[best], shapely.get_coordinates(leaders[best])
+
+
+def _label(wish: Wish, middle: FloatArray) -> Iterator[Mark]:
+    box = np.array(_box(wish, middle).exterior.coords)[:-1]
+    if wish.badge:
+        yield Area(Ink.BUBBLE, (box,))
+        yield Line(Ink.BADGE, box, closed=True)
+    base = middle - np.array([0.0, RISE / 2 * wish.size])
+    yield Text(Ink.BADGE if wish.badge else Ink.TEXT, wish.text, base, wish.size, anchor="middle", bold=wish.badge)
+
+
+def _box(wish: Wish, middle: FloatArray) -> "Polygon":
+    import shapely
+
+    half = np.array([text_width(wish.text, wish.size), RISE * wish.size]) / 2
+    if wish.badge:
+        reach = np.array([half[0] - half[1], 0.0])
+        return shapely.LineString([middle - reach, middle + reach]).buffer(half[1] + PAD)
+    return shapely.box(*(middle - half - PAD), *(middle + half + PAD))
+
+
+def _line(ends: FloatArray) -> "BaseGeometry":
+    import shapely
+
+    return shapely.LineString(ends)

@@ -1,0 +1,47 @@
+"""Where things come from and along which lines they move in a step."""
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from popsim.assembly import Step, flap_key
+from popsim.geometry.arrays import FloatArray
+from popsim.geometry.rigid import transform
+from popsim.layout import Layout
+
+if TYPE_CHECKING:
+    from popsim.rendering.view import View
+
+POINTS = 12
+"""Points of an arrow at most."""
+
+
+def tracks(step: Step, layout: Layout, view: "View") -> tuple[FloatArray, ...]:
+    """Lines in plane coordinates, each (n, 2), along which glued flaps or their places move, else all parts."""
+    found = list(_of_flaps(step, layout)) or list(_of_parts(step, layout))
+    return tuple(view.to_plane(track)[:, :2] for track in found)
+
+
+def _of_flaps(step: Step, layout: Layout) -> Iterator[FloatArray]:
+    for flap in layout.flaps:
+        if flap_key(flap) not in step.flaps:
+            continue
+        landing = layout.parts[flap.target].plane.lift(np.array(flap.landing.centroid.coords[0]))
+        for name in (flap.carrier, flap.target):
+            if name in step.motion:
+                yield _track(step.motion[name], landing)
+                break
+
+
+def _of_parts(step: Step, layout: Layout) -> Iterator[FloatArray]:
+    """Of each part that moves the way of its middle."""
+    for name, poses in step.motion.items():
+        part = layout.parts[name]
+        yield _track(poses, part.plane.lift(np.array(part.polygon.centroid.coords[0])))
+
+
+def _track(poses: FloatArray, point: FloatArray) -> FloatArray:
+    """The way of a point of the open pose, shape (n, 3)."""
+    picked = np.unique(np.linspace(0, len(poses) - 1, POINTS).round().astype(int))
+    return transform(poses[picked], point[None])[:, 0]

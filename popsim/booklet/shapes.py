@@ -1,0 +1,64 @@
+"""Inked shapes: a drawing while it is still geometry, which can be moved, scaled and cut."""
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from popsim.booklet.inks import Ink
+from popsim.geometry.arrays import FloatArray
+from popsim.geometry.flat import move_shape
+from popsim.layout.sheet import Area, Line, Mark
+
+if TYPE_CHECKING:
+    from shapely.geometry.base import BaseGeometry
+
+SMALLEST = 0.02
+"""mm and mm^2; what is smaller on the page is not drawn."""
+
+
+@dataclass(frozen=True, eq=False)
+class Shape:
+    """Areas or lines of one ink."""
+
+    ink: Ink
+    geometry: "BaseGeometry"
+
+
+def moved(shapes: Iterable[Shape], motion: FloatArray) -> tuple[Shape, ...]:
+    """The shapes moved and scaled by `motion` (3, 3)."""
+    return tuple(Shape(shape.ink, move_shape(motion, shape.geometry)) for shape in shapes)
+
+
+def clipped(shapes: Iterable[Shape], window: "BaseGeometry") -> tuple[Shape, ...]:
+    """What of the shapes lies in `window`."""
+    import shapely
+
+    shapely.prepare(window)
+    return tuple(Shape(shape.ink, shape.geometry.intersection(window)) for shape in shapes)
+
+
+def drawn(shapes: Iterable[Shape]) -> Iterator[Mark]:
+    """The shapes as marks, in the order of their inks."""
+    import shapely
+
+    order = list(Ink)
+    for shape in sorted(shapes, key=lambda shape: order.index(shape.ink)):
+        parts = shapely.get_parts(shape.geometry)
+        for area in parts[shapely.get_dimensions(parts) == 2]:
+            if area.area > SMALLEST:
+                rings = (area.exterior, *area.interiors)
+                yield Area(shape.ink, tuple(np.array(ring.coords)[:-1] for ring in rings))
+        yield from _lines(shape.ink, parts[shapely.get_dimensions(parts) == 1])
+
+
+def _lines(ink: Ink, parts: FloatArray) -> Iterator[Line]:
+    import shapely
+
+    merged = shapely.line_merge(shapely.multilinestrings(parts)) if len(parts) else shapely.MultiLineString()
+    for line in shapely.get_parts(merged):
+        if line.length > SMALLEST:
+            points = shapely.get_coordinates(line)
+            closed = bool((points[0] == points[-1]).all())
+            yield Line(ink, points[:-1] if closed else points, closed=closed)

@@ -1,0 +1,165 @@
+"""What of flat paper in space is seen along parallel rays: exact, by areas in the plane of the picture.
+
+Of two plates the nearer one hides the other where both are; which is nearer changes on the line in which their
+planes meet, so each plate is cut by half planes only. Picture coordinates are those of
+:class:`popsim.rendering.view.View`: x to the right, y up, depth away from the eye.
+"""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from popsim.booklet.cutout import Cutout
+from popsim.geometry.arrays import FloatArray
+from popsim.geometry.flat import move_shape
+from popsim.geometry.plane import Plane
+from popsim.geometry.rigid import turns_about
+
+if TYPE_CHECKING:
+    from shapely.geometry.base import BaseGeometry
+
+    from popsim.rendering.view import View
+
+TOUCHING = 0.02
+"""mm of depth; plates nearer to each other than this do not hide each other: they lie on each other or share an
+edge."""
+
+EDGE_ON = 0.02
+"""Cosine between the normal of a plate and the eye below which it is drawn turned to that: never as nothing."""
+
+
+@dataclass(frozen=True, eq=False)
+class Plate:
+    """A cutout in space: its plane, in which its flat coordinates are, has its normal to the printed side."""
+
+    cutout: Cutout
+    plane: Plane
+
+
+@dataclass(frozen=True, eq=False)
+class Seen:
+    """A plate in the picture, mm, and what of it is seen.
+
+    Attributes
+    ----------
+    whole:
+        All of it, as if nothing was before it.
+    area:
+        What is seen of it; may be empty.
+    printed:
+        Whether its printed side is towards the eye.
+    edges, creases:
+        Lines of its cutout that are seen.
+    hidden:
+        Edges that are not.
+    """
+
+    whole: "BaseGeometry"
+    area: "BaseGeometry"
+    printed: bool
+    edges: "BaseGeometry"
+    creases: "BaseGeometry"
+    hidden: "BaseGeometry"
+
+
+@dataclass(frozen=True, eq=False)
+class Projected:
+    """A plate on its way into the picture.
+
+    `motion` (3, 3) brings flat into picture coordinates, and the depth at (x, y) is `depth` @ (x, y, 1).
+    """
+
+    plate: Plate
+    motion: FloatArray
+    depth: FloatArray
+    printed: bool
+    whole: "BaseGeometry"
+
+
+def project(plate: Plate, view: "View") -> Projected:
+    """Project a plate along the rays of `view`; plates seen edge-on are turned by a hair."""
+    plane = _facing(plate, view)
+    origin, u, v = plane.origin, plane.origin + plane.u, plane.origin + plane.v
+    spots = view.to_plane(np.array([origin, u, v]))
+    columns = np.stack([spots[1] - spots[0], spots[2] - spots[0], spots[0]], axis=1)
+    motion = np.vstack([columns[:2], [0.0, 0.0, 1.0]])
+    depth = columns[2] @ np.linalg.inv(motion)
+    return Projected(
+        plate, motion, depth, bool(plane.normal @ view.eye > 0), move_shape(motion, plate.cutout.shape)
+    )
+
+
+def see(plates: Sequence[Plate], view: "View") -> tuple[Seen, ...]:
+    """Return what is seen of each plate, in their order."""
+    import shapely
+
+    projected = [project(plate, view) for plate in plates]
+    before: list[list[BaseGeometry]] = [[] for _ in projected]
+    for back, cover in _covers(projected):
+        before[back].append(cover)
+    return tuple(_seen(one, shapely.union_all(own)) for one, own in zip(projected, before, strict=True))
+
+
+def _covers(projected: list[Projected]) -> Iterator[tuple[int, "BaseGeometry"]]:
+    """For each plate that may be hidden its index and an area in which another one is nearer to the eye."""
+    import shapely
+
+    shapes = np.array([one.whole for one in projected])
+    depths = np.array([one.depth for one in projected])
+    bounds = shapely.bounds(shapes)
+    back, front = shapely.STRtree(shapes).query(shapes)
+    low = np.maximum(bounds[back, :2], bounds[front, :2])
+    high = np.minimum(bounds[back, 2:], bounds[front, 2:])
+    corners = np.stack([low, np.stack([high[:, 0], low[:, 1]], 1), high, np.stack([low[:, 0], high[:, 1]], 1)], 1)
+    slope = depths[back] - depths[front]
+    nearer = np.einsum("kij,kj->ki", corners, slope[:, :2]) + slope[:, 2:] - TOUCHING
+    everywhere, anywhere = (nearer > 0).all(axis=1), (nearer > 0).any(axis=1)
+    for k in np.flatnonzero(anywhere):
+        shape = shapes[front[k]]
+        yield (
+            int(back[k]),
+            shape if everywhere[k] else shape.intersection(shapely.Polygon(_above(corners[k], nearer[k]))),
+        )
+
+
+def _seen(one: Projected, cover: "BaseGeometry") -> Seen:
+    edges = move_shape(one.motion, one.plate.cutout.edges)
+    creases = move_shape(one.motion, one.plate.cutout.creases)
+    if cover.is_empty:
+        return Seen(one.whole, one.whole, one.printed, edges, creases, cover)
+    return Seen(
+        whole=one.whole,
+        area=one.whole.difference(cover),
+        printed=one.printed,
+        edges=edges.difference(cover),
+        creases=creases.difference(cover),
+        hidden=edges.intersection(cover),
+    )
+
+
+def _above(corners: FloatArray, values: FloatArray) -> FloatArray:
+    """The part of a convex polygon (n, 2) where a function, linear with `values` (n,) at its corners, is > 0."""
+    kept = []
+    for k, (corner, value) in enumerate(zip(corners, values, strict=True)):
+        after, next_value = corners[(k + 1) % len(corners)], values[(k + 1) % len(corners)]
+        if value > 0:
+            kept.append(corner)
+        if (value > 0) != (next_value > 0):
+            kept.append(corner + (after - corner) * value / (value - next_value))
+    return np.array(kept)
+
+
+def _facing(plate: Plate, view: "View") -> Plane:
+    """The plane of a plate, turned by a hair about its middle if it is seen edge-on."""
+    plane = plate.plane
+    facing = float(plane.normal @ view.eye)
+    if abs(facing) >= EDGE_ON:
+        return plane
+    middle = plate.cutout.shape.centroid
+    centre = plane.lift(np.array([middle.x, middle.y]))
+    axis = np.cross(plane.normal, view.eye)
+    axis /= np.linalg.norm(axis)
+    turn = (np.sign(facing) or 1.0) * EDGE_ON - facing
+    return plane.moved(turns_about(axis, centre, np.array([turn]))[0])
