@@ -3,6 +3,9 @@
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from rich.table import Table
+
+    from popsim.simulation.physical import PaperRun
     from popsim.verification import Verdict
     from popsim.verification.verdict import Measure
 
@@ -34,10 +37,26 @@ def print_verdict(verdict: "Verdict", name: str) -> None:
         console.print(
             f"closing range of {name_of}: x {measured[0]:.3f} to {measured[1]:.3f} mm{theory}", markup=False
         )
+    if verdict.paper is not None:
+        console.print(_paper(verdict.paper))
     for note in verdict.notes:
         console.print(f"note: {note}", markup=False)
     word = "[bold green]PASSED[/]" if verdict.passed else "[bold red]FAILED[/]"
     console.print(f"{word} {name}: {_because(verdict)}")
+
+
+def _paper(run: "PaperRun") -> "Table":
+    """What was measured on paper."""
+    from rich import box
+    from rich.markup import escape
+    from rich.table import Table
+
+    from popsim.verification.paper_report import paper_rows
+
+    table = Table("as paper", "measured", box=box.SIMPLE_HEAD, pad_edge=False)
+    for name, told in paper_rows(run):
+        table.add_row(escape(name), escape(told))
+    return table
 
 
 def _others(verdict: "Verdict", aspect: str) -> list["Measure"]:

@@ -1,9 +1,15 @@
 """`popsim verify`."""
 
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
+
+if TYPE_CHECKING:
+    from popsim.stock import Stock
+
+MOVING = "Draw the card closing and opening; GIF, WebP, APNG or MP4."
+STOCK = "Fold it as paper too, e.g. 200gsm or '200gsm 0.25mm': torque, stack, sag, clearance."
 
 
 def verify(
@@ -12,8 +18,13 @@ def verify(
     junit: Annotated[Path | None, typer.Option(metavar="FILE", help="Write the verdict as JUnit XML.")] = None,
     mjcf: Annotated[Path | None, typer.Option(metavar="FILE", help="Write the model for MuJoCo's viewer.")] = None,
     plot: Annotated[Path | None, typer.Option(metavar="FILE", help="Draw what was measured; PNG or SVG.")] = None,
-    animate: Annotated[
-        Path | None, typer.Option(metavar="FILE", help="Draw the card closing and opening; GIF, WebP or APNG.")
+    animate: Annotated[Path | None, typer.Option(metavar="FILE", help=MOVING)] = None,
+    paper: Annotated[str | None, typer.Option(metavar="STOCK", help=STOCK)] = None,
+    thickness: Annotated[str | None, typer.Option(help="Of that paper, e.g. 0.25mm.")] = None,
+    bending: Annotated[float | None, typer.Option(help="Its bending stiffness per width, N mm.")] = None,
+    crease: Annotated[float | None, typer.Option(help="Its crease stiffness per length, N mm/rad per mm.")] = None,
+    csv: Annotated[
+        Path | None, typer.Option(metavar="FILE", help="Write torque and clearance of --paper.")
     ] = None,
     force: Annotated[bool, typer.Option("--force", help="Overwrite existing files.")] = False,
 ) -> None:
@@ -28,25 +39,54 @@ def verify(
     from popsim.pictures.plot import check_plot, write_plot
     from popsim.simulation import to_mjcf
     from popsim.verification import verify as fold_and_judge
+    from popsim.verification.paper_report import paper_csv
 
     design = load_design(path)
-    for wanted in (report, junit, mjcf, plot, animate):
+    stock = _stock(paper, thickness=thickness, bending=bending, crease=crease, csv=csv)
+    for wanted in (report, junit, mjcf, plot, animate, csv):
         if wanted is not None:
             refuse_overwrite(wanted, force)
     if plot is not None:
         check_plot(plot)
     if animate is not None:
         check_animation(animate)
-    verdict = fold_and_judge(design)
-    if report is not None:
-        write_text(report, verdict.to_json(), force=force)
-    if junit is not None:
-        write_text(junit, verdict.to_junit(str(path)), force=force)
-    if mjcf is not None:
-        write_text(mjcf, to_mjcf(design), force=force)
+    verdict = fold_and_judge(design, stock=stock)
+    texts = (
+        (report, verdict.to_json),
+        (junit, lambda: verdict.to_junit(str(path))),
+        (mjcf, lambda: to_mjcf(design)),
+        (csv, lambda: paper_csv(verdict.paper)),
+    )
+    for file, text in texts:
+        if file is not None:
+            write_text(file, text(), force=force)
     if plot is not None:
         write_plot(plot, design, verdict, str(path), force=force)
     if animate is not None:
         write_animation(animate, design, verdict, path.parent, force=force)
     print_verdict(verdict, str(path))
     raise typer.Exit(0 if verdict.passed else 1)
+
+
+def _stock(
+    paper: str | None, *, thickness: str | None, bending: float | None, crease: float | None, csv: Path | None
+) -> "Stock | None":
+    """The stock of `--paper`, with what is said of it beside.
+
+    Raises
+    ------
+    InputError
+        It is no stock, or something is said of a paper that is not given.
+    """
+    from popsim.errors import InputError
+    from popsim.stock import parse_stock
+    from popsim.units import parse_length
+
+    beside = {"--thickness": thickness, "--bending": bending, "--crease": crease, "--csv": csv}
+    if paper is None:
+        alone = [name for name, value in beside.items() if value is not None]
+        if alone:
+            raise InputError(f"{alone[0]} goes with a paper; add --paper, for example --paper 200gsm")
+        return None
+    thick = None if thickness is None else parse_length(thickness, "--thickness")
+    return parse_stock(paper, thickness=thick, bending=bending, crease=crease)

@@ -51,6 +51,8 @@ def free_turns(design: Design, hinges: Sequence[Hinge]) -> dict[str, Turn]:
     """The same of several hinges, by their ids."""
     from shapely import area, intersection
 
+    if not hinges:
+        return {}
     halves = _halves(design, hinges)
     between = angles_between(design, hinges)
     lower, upper = np.full(len(hinges), -np.inf), np.full(len(hinges), np.inf)

@@ -7,10 +7,9 @@ import numpy as np
 
 from popsim import __version__
 from popsim.mechanisms import Condition
+from popsim.verification.numbers import number, numbers
+from popsim.verification.paper_report import paper_dict
 from popsim.verification.verdict import Finding, Measure, Verdict
-
-DIGITS = 6
-"""Significant digits in the report: beyond what is measured, and without the noise of the last bits."""
 
 
 def rows(verdict: Verdict) -> list[dict[str, str]]:
@@ -53,35 +52,36 @@ def to_dict(verdict: Verdict) -> dict[str, Any]:
         "aspects": [_finding(finding) for finding in verdict.findings],
         "agreement": [_measure(measure) for measure in verdict.agreement],
         "ranges": {
-            name: {"measured": _numbers(found), "analytic": None if stated is None else _numbers(stated)}
+            name: {"measured": numbers(found), "analytic": None if stated is None else numbers(stated)}
             for name, (found, stated) in verdict.ranges.items()
         },
         "contacts": [
             {
                 "patches": list(contact.patches),
-                "first_deg": _number(degrees(contact.first)),
-                "depth": _number(contact.depth),
-                "deepest_deg": _number(degrees(contact.deepest)),
+                "first_deg": number(degrees(contact.first)),
+                "depth": number(contact.depth),
+                "deepest_deg": number(degrees(contact.deepest)),
             }
             for contact in evidence.contacts
         ],
         "free_motions": [
-            {"deg": _number(degrees(motion.theta)), "count": motion.count, "stiffness": _number(motion.stiffness)}
+            {"deg": number(degrees(motion.theta)), "count": motion.count, "stiffness": number(motion.stiffness)}
             for motion in evidence.free
         ],
         "pushes": [
             {
-                "deg": _number(degrees(push.theta)),
-                "moved": _number(push.moved),
-                "left": _number(push.left),
+                "deg": number(degrees(push.theta)),
+                "moved": number(push.moved),
+                "left": number(push.left),
                 "patch": push.patch,
             }
             for push in evidence.pushes
         ],
         "loop_gap": {
-            "deg": _numbers(evidence.sweep.degrees.tolist()),
-            "gap": _numbers(evidence.gaps.by_angle.tolist()),
+            "deg": numbers(evidence.sweep.degrees.tolist()),
+            "gap": numbers(evidence.gaps.by_angle.tolist()),
         },
+        "paper": None if verdict.paper is None else paper_dict(verdict.paper),
     }
 
 
@@ -92,7 +92,7 @@ def _finding(finding: Finding) -> dict[str, Any]:
         "theory": finding.theory,
         "simulation": finding.simulation,
         "disagreement": finding.disagreement,
-        "margin": None if finding.tightest is None else _number(finding.tightest.margin),
+        "margin": None if finding.tightest is None else number(finding.tightest.margin),
         "tightest": None if finding.tightest is None else _condition(finding.tightest),
         "broken": [_condition(condition) for condition in broken],
         "measures": [_measure(measure) for measure in finding.measures],
@@ -101,14 +101,14 @@ def _finding(finding: Finding) -> dict[str, Any]:
 
 
 def _condition(condition: Condition) -> dict[str, Any]:
-    return {"subject": condition.subject, "name": condition.name, "margin": _number(condition.margin)}
+    return {"subject": condition.subject, "name": condition.name, "margin": number(condition.margin)}
 
 
 def _measure(measure: Measure) -> dict[str, Any]:
     return {
         "name": measure.name,
-        "value": _number(measure.value),
-        "tolerance": _number(measure.tolerance),
+        "value": number(measure.value),
+        "tolerance": number(measure.tolerance),
         "unit": measure.unit,
         "holds": measure.holds,
         "where": measure.where,
@@ -132,12 +132,3 @@ def _row(finding: Finding) -> dict[str, str]:
 
 def _word(holds: bool | None) -> str:
     return {True: "pass", False: "refuse", None: "-"}[holds]
-
-
-def _numbers(values: Any) -> list[float | None]:
-    return [_number(value) for value in values]
-
-
-def _number(value: float) -> float | None:
-    """Rounded; None for what is no finite number, which JSON cannot say."""
-    return float(f"{float(value):.{DIGITS}g}") + 0.0 if np.isfinite(value) else None

@@ -5,6 +5,7 @@ from typing import Any, Literal
 
 from popsim.mechanisms import Condition
 from popsim.mechanisms.condition import Aspect
+from popsim.simulation.physical import PaperRun
 from popsim.verification.evidence import Evidence
 
 Grade = Literal["rigid", "within play", "refused"]
@@ -127,6 +128,9 @@ class Verdict:
         Sentences for the reader.
     evidence:
         The motion and everything measured in it.
+    paper:
+        What a second run on paper has measured; it takes no part in the verdict. None where none was asked for, or
+        nothing can be told: a note says why.
     """
 
     findings: tuple[Finding, ...]
@@ -135,6 +139,7 @@ class Verdict:
     ranges: dict[str, tuple[tuple[float, float], tuple[float, float] | None]]
     notes: tuple[str, ...]
     evidence: Evidence = field(repr=False)
+    paper: PaperRun | None = field(default=None, repr=False)
 
     @property
     def passed(self) -> bool:

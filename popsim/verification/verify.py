@@ -3,10 +3,14 @@
 from popsim.design import Design
 from popsim.mechanisms import Condition
 from popsim.mechanisms.condition import Aspect
+from popsim.simulation.physical import PaperRun
+from popsim.stock import Stock
 from popsim.validity import Theory, examine
 from popsim.verification.agreement import agreement, measured_ranges
 from popsim.verification.evidence import Evidence, gather
 from popsim.verification.judge import grade, judge, rigid_and_steady
+from popsim.verification.paper import run_on_paper
+from popsim.verification.paper_report import paper_notes
 from popsim.verification.settings import Settings
 from popsim.verification.verdict import Finding, Verdict
 
@@ -16,22 +20,25 @@ ASPECTS: tuple[Aspect, ...] = ("foldable", "stable", "clear", "contained")
 DEFAULT = Settings()
 
 
-def verify(design: Design, settings: Settings = DEFAULT) -> Verdict:
+def verify(design: Design, settings: Settings = DEFAULT, stock: Stock | None = None) -> Verdict:
     """Fold `design`, state its theory, and compare.
 
     The design is trusted as :func:`popsim.design.parse_design` checks it; of its mechanisms only patches count.
+    With a `stock` it is folded again as paper, which changes nothing of the verdict.
     """
     theory = examine(design)
     evidence = gather(design, settings)
     findings = tuple(_finding(aspect, theory, evidence, settings) for aspect in ASPECTS)
+    paper, untold = (None, "") if stock is None else run_on_paper(evidence, settings, stock)
     comparable = findings[0].theory is True and rigid_and_steady(evidence, settings)
     return Verdict(
         findings=findings,
         agreement=agreement(evidence.sweep, theory, settings) if comparable else (),
         grade=grade(evidence, settings),
         ranges=measured_ranges(evidence.sweep, theory) if comparable else {},
-        notes=_notes(design, evidence, settings),
+        notes=(*_notes(design, evidence, settings), *_paper_notes(paper, untold)),
         evidence=evidence,
+        paper=paper,
     )
 
 
@@ -57,3 +64,7 @@ def _notes(design: Design, evidence: Evidence, settings: Settings) -> tuple[str,
             "a shorter glued length on that edge needs less"
         )
     return tuple(notes)
+
+
+def _paper_notes(paper: PaperRun | None, untold: str) -> list[str]:
+    return [f"nothing can be told of it as paper: {untold}"] if untold else paper_notes(paper) if paper else []

@@ -1,5 +1,6 @@
 """What `popsim verify` writes beside its table."""
 
+import json
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -52,3 +53,29 @@ def test_an_animation_of_another_format_is_refused_before_any_work(popsim, tmp_p
     done = popsim("verify", box, "--animate", "box.mp4", "--report", "verdict.json")
     assert done.returncode == 2 and ".gif" in done.stderr
     assert not (tmp_path / "verdict.json").exists()
+
+
+def test_paper_adds_its_own_table_report_and_csv(popsim, tmp_path: Path, box: str) -> None:
+    done = popsim("verify", box, "--paper", "200gsm", "--crease", "0.1", "--csv", "t.csv", "--report", "v.json")
+    assert done.returncode == 0, done.stderr
+    assert "as paper" in done.stdout and "closed stack" in done.stdout
+    assert json.loads((tmp_path / "v.json").read_text())["paper"]["stock"]["crease"] == 0.1
+    assert (tmp_path / "t.csv").read_text().startswith("fold angle deg,")
+
+
+@pytest.mark.parametrize(
+    ("options", "word"),
+    [
+        (("--paper", "card"), "200gsm"),
+        (("--paper", "200gsm", "--thickness", "thick"), "--thickness"),
+        (("--paper", "200gsm", "--bending", "-3"), "bending"),
+        (("--csv", "t.csv"), "--paper"),
+        (("--crease", "0.2"), "--paper"),
+    ],
+)
+def test_paper_that_makes_no_sense_is_refused_before_any_work(
+    popsim, tmp_path: Path, box: str, options: tuple[str, ...], word: str
+) -> None:
+    done = popsim("verify", box, *options, "--report", "verdict.json")
+    assert done.returncode == 2 and word in done.stderr and "Traceback" not in done.stderr
+    assert not (tmp_path / "verdict.json").exists() and not (tmp_path / "t.csv").exists()

@@ -4,7 +4,7 @@ import numpy as np
 
 from popsim.design import Design
 from popsim.geometry.arrays import FloatArray, IntArray
-from popsim.simulation.turning import angle_between, turned
+from popsim.simulation.turning import angles_between, turnings
 
 
 class Creases:
@@ -24,7 +24,7 @@ class Creases:
     """
 
     def __init__(self, design: Design) -> None:
-        self._design = design
+        self._hinges = design.hinges
         place = {patch.id: index for index, patch in enumerate(design.patches)}
         ends = np.array([[place[name] for name in hinge.patches] for hinge in design.hinges], dtype=np.int64)
         self.first: IntArray
@@ -32,19 +32,15 @@ class Creases:
         self.first, self.second = ends.reshape(-1, 2).T
         self.axes: FloatArray = np.array([hinge.points for hinge in design.hinges]).reshape(-1, 2, 3)
         self.lengths: FloatArray = np.array([hinge.length for hinge in design.hinges])
-        self._between = np.array([angle_between(design, hinge) for hinge in design.hinges])
+        self._between = angles_between(design, design.hinges)
 
     def bent(self, poses: FloatArray) -> FloatArray:
         """How far each crease is turned from its rest in poses (n, p, 4, 4), rad, shape (n, h).
 
         Between -pi/2 and pi/2; positive where the second patch is turned too far, right-handed about the axis.
         """
-        turns = [
-            turned(hinge, poses[:, first], poses[:, second])
-            for hinge, first, second in zip(self._design.hinges, self.first, self.second, strict=True)
-        ]
-        angle = self._between + np.array(turns).reshape(-1, len(poses)).T
-        return np.asarray(np.mod(angle, np.pi) - np.pi / 2)
+        turns = turnings(self._hinges, poses[:, self.first], poses[:, self.second])
+        return np.asarray(np.mod(self._between + turns, np.pi) - np.pi / 2)
 
     def directions(self, poses: FloatArray) -> FloatArray:
         """Unit directions of the axes as first patches carry them in poses (n, p, 4, 4), shape (n, h, 3)."""

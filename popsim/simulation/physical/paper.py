@@ -50,6 +50,14 @@ class Torque:
         inside = (self.theta >= low) & (self.theta <= high)
         return float(np.abs(self.torque - self.by_energy)[inside].max(initial=0.0))
 
+    @property
+    def rests(self) -> tuple[float, ...]:
+        """Fold angles to which the card goes by itself, rad: held open above them and closed below."""
+        ahead, behind = self.torque[:-1], self.torque[1:]
+        rows = np.flatnonzero((ahead < 0) & (behind >= 0))
+        shares = ahead[rows] / (ahead[rows] - behind[rows])
+        return tuple((self.theta[rows] + shares * (self.theta[rows + 1] - self.theta[rows])).tolist())
+
 
 @dataclass(frozen=True, eq=False)
 class PaperRun:
