@@ -151,6 +151,10 @@ class Mechanism(ABC):
     def from_primitive(cls, primitive: Primitive, pair: BasePatchPair, id: str) -> Iterator["Mechanism"]:
         """All mechanisms of this type on `pair` that represent `primitive` (Table 1); none where it cannot."""
 
+    @abstractmethod
+    def primitive(self) -> Primitive:
+        """The primitive that it represents: what :meth:`from_primitive` makes it of."""
+
     @classmethod
     @abstractmethod
     def random(cls, rng: Generator, pair: BasePatchPair, id: str, room: Room) -> Self | None:

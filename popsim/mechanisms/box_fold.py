@@ -217,6 +217,9 @@ class BoxFold(Mechanism):
         if within and min(top.height for top in tops) > 0:
             yield cls.stepped(id, pair, half, tops)
 
+    def primitive(self) -> Primitive:
+        return PrismRow(self.half_width, self.pair.v, tuple((top.x0, top.x1, top.height) for top in self.tops))
+
     @classmethod
     def random(cls, rng: Generator, pair: BasePatchPair, id: str, room: Room) -> Self | None:
         from popsim.mechanisms.box_fold_random import random_box

@@ -128,6 +128,11 @@ class StepFold(Mechanism):
         if fits and near <= pair.u + 1e-6 and primitive.low[2] <= pair.v + 1e-6:
             yield cls(id, pair, x, s, h)
 
+    def primitive(self) -> Primitive:
+        pair, (x0, x1) = self.pair, self.x
+        near, far = sorted((pair.side.value * pair.u, pair.side.value * (pair.u + self.s)))
+        return RectangularPrism((x0, near, pair.v), (x1, far, pair.v + self.h))
+
     @classmethod
     def random(cls, rng: Generator, pair: BasePatchPair, id: str, room: Room) -> "StepFold | None":
         low, high = room.within(*pair.x).x

@@ -137,6 +137,10 @@ class TentFold(Mechanism):
         if pair.x[0] <= x[0] and x[1] <= pair.x[1] and 0 < t1 <= min(pair.reach) and height > 0:
             yield cls(id, pair, x, t1, height)
 
+    def primitive(self) -> Primitive:
+        (x0, x1), v = self.x, self.pair.v
+        return TriangularPrism((x0, -self.t1, v), (x1, self.t1, v + self.height), "x")
+
     @classmethod
     def random(cls, rng: Generator, pair: BasePatchPair, id: str, room: Room) -> "TentFold | None":
         low, high = room.within(*pair.x).x

@@ -24,7 +24,7 @@ from popsim.mechanisms.base import (
 from popsim.mechanisms.fault import Fault
 from popsim.mechanisms.members import Members
 from popsim.mechanisms.pair import BasePatchPair, PairKind
-from popsim.mechanisms.primitive import RectangularPrism, TriangularPrism
+from popsim.mechanisms.primitive import Corner, RectangularPrism, TriangularPrism
 from popsim.mechanisms.room import LEAST, Room, draw
 from popsim.mechanisms.v_fold_parts import Part, Walls, find_roof, find_walls
 
@@ -177,6 +177,12 @@ class VFold(Mechanism):
     @abstractmethod
     def find_rest(self, members: Members, walls: Walls) -> tuple[Self, list[Part]] | str:
         """Recognise what the type adds to walls and roof; a string says what is missing."""
+
+    def _box(self) -> tuple[Corner, Corner]:
+        """Opposite corners of the box around the primitive."""
+        x0, x1 = sorted((self.tip, self.back))
+        half, v = self.width / float(np.sqrt(2)), self.pair.v
+        return (x0, -half, v), (x1, half, v + self.height)
 
     @classmethod
     def _from_box(

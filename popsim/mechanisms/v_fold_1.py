@@ -97,3 +97,6 @@ class VFold1(VFold):
     def from_primitive(cls, primitive: Primitive, pair: BasePatchPair, id: str) -> Iterator[Self]:
         if isinstance(primitive, RectangularPrism) and primitive.turned:
             yield from cls._from_box(primitive, pair, id, (1, -1))
+
+    def primitive(self) -> Primitive:
+        return RectangularPrism(*self._box(), turned=True)

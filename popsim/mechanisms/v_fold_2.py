@@ -30,3 +30,6 @@ class VFold2(VFold):
     def from_primitive(cls, primitive: Primitive, pair: BasePatchPair, id: str) -> Iterator[Self]:
         if isinstance(primitive, TriangularPrism) and primitive.edges == "z":
             yield from cls._from_box(primitive, pair, id, (primitive.facing,))
+
+    def primitive(self) -> Primitive:
+        return TriangularPrism(*self._box(), "z", self.facing)
