@@ -12,6 +12,8 @@ from popsim.files import write_file
 from popsim.geometry.arrays import FloatArray, IntArray
 from popsim.pictures.moving import MovingPopup
 from popsim.pictures.strip import Look
+from popsim.pictures.video import require_encoder, write_mp4
+from popsim.simulation.contact import Contact
 from popsim.simulation.sweep import Sweep
 from popsim.verification import Verdict
 
@@ -20,8 +22,11 @@ if TYPE_CHECKING:
 
     from popsim.rendering.camera import Camera
 
-FORMATS = {".gif": "GIF", ".webp": "WEBP", ".png": "PNG", ".apng": "PNG"}
-"""What Pillow calls the formats that move."""
+FILM = ".mp4"
+"""Suffix of what is encoded by the extra `video`."""
+
+FORMATS = {".gif": "GIF", ".webp": "WEBP", ".png": "PNG", ".apng": "PNG", FILM: FILM}
+"""What Pillow calls the formats that move; films it does not write."""
 
 STEP = 6.0
 """Degrees of fold angle between two pictures."""
@@ -52,10 +57,12 @@ SMALL = Look(azimuth=14, elevation=28, width=480, height=360)
 
 
 def check_animation(path: Path) -> None:
-    """Raise InputError where `path` has no suffix that :func:`write_animation` knows."""
+    """Raise InputError where `path` has no suffix that :func:`write_animation` knows, or no encoder for it."""
     if path.suffix.lower() not in FORMATS:
         known = ", ".join(FORMATS)
         raise InputError(f"an animation is written as {known}, not {path.suffix or 'without a suffix'}")
+    if path.suffix.lower() == FILM:
+        require_encoder(path)
 
 
 def write_animation(
@@ -66,7 +73,7 @@ def write_animation(
     Parameters
     ----------
     path:
-        GIF, WebP or PNG (APNG) to write.
+        GIF, WebP, PNG (APNG) or MP4 to write.
     design, verdict:
         What was folded and found.
     textures:
@@ -79,7 +86,7 @@ def write_animation(
     Raises
     ------
     InputError
-        The suffix is unknown, or a texture cannot be read.
+        The suffix is unknown, its encoder is not installed, or a texture cannot be read.
     OutputError
         The file exists and `force` is false, or cannot be written.
     """
@@ -90,6 +97,9 @@ def write_animation(
     pictures = list(_pictures(design, verdict, frames, textures, look))
     ends = (frames[0], min(frames, key=lambda frame: sweep.theta[frame]))
     times = [HELD if frame in ends else SHOWN for frame in frames]
+    if name == FILM:
+        write_file(path, lambda temporary: write_mp4(temporary, pictures, times), force=force)
+        return
     if name == "GIF":
         pictures = _with_one_palette(pictures)
     first, *others = pictures
@@ -102,11 +112,11 @@ def write_animation(
     )
 
 
-def first_to_cross(verdict: Verdict) -> tuple[float, frozenset[str]]:
-    """Fold angle at which patches first cross while closing, rad, and those patches; -1 and none if none do."""
+def first_to_cross(verdict: Verdict) -> tuple[Contact, ...]:
+    """The contacts that begin at the earliest recorded angle, while closing or, if none do then, while opening."""
     contacts = verdict.evidence.contacts
-    first = max((contact.first for contact in contacts), default=-1.0)
-    return first, frozenset(name for contact in contacts if contact.first == first for name in contact.patches)
+    earliest = min((contact.frame for contact in contacts), default=-1)
+    return tuple(contact for contact in contacts if contact.frame == earliest)
 
 
 def _frames(sweep: Sweep) -> list[int]:
@@ -130,15 +140,30 @@ def _pictures(
     """One RGB picture per frame; where the card opens through the same poses, those from closing again."""
     sweep = verdict.evidence.sweep
     popup, camera = MovingPopup(design, textures), _camera(sweep, frames, look)
-    first, crossing = first_to_cross(verdict)
+    contacts = first_to_cross(verdict)
     drawn: dict[int, Image] = {}
+    marks: dict[int, frozenset[str]] = {}
     for frame in frames:
-        twin = min(drawn, key=lambda other: abs(sweep.theta[other] - sweep.theta[frame]), default=None)
+        marks[frame] = _marked(contacts, sweep, frame)
+        alike = [other for other in drawn if marks[other] == marks[frame]]
+        twin = min(alike, key=lambda other: abs(sweep.theta[other] - sweep.theta[frame]), default=None)
         if twin is None or _apart(sweep, twin, frame) > SAME:
-            marked = crossing if sweep.theta[frame] <= first else frozenset[str]()
             twin = frame
-            drawn[frame] = _picture(popup, sweep.poses[frame], marked, camera, look)
+            drawn[frame] = _picture(popup, sweep.poses[frame], marks[frame], camera, look)
         yield _captioned(drawn[twin], f"{sweep.degrees[frame]:.0f}°")
+
+
+def _marked(contacts: Sequence[Contact], sweep: Sweep, frame: int) -> frozenset[str]:
+    """Patches that are red at a recorded angle.
+
+    What crosses while closing does so below that angle, on either way; what crosses while opening, from there on.
+    """
+    return frozenset(
+        name
+        for contact in contacts
+        for name in contact.patches
+        if (sweep.theta[frame] <= contact.first if contact.way == "closing" else frame >= contact.frame)
+    )
 
 
 def _picture(

@@ -125,10 +125,12 @@ def _axis(panel: Panel) -> tuple[float, float, list[float]]:
         low, high = max(np.floor(levels.min() - 0.3), np.log10(TINY)), np.ceil(levels.max() + 0.3)
         step = max(1, int(np.ceil((high - low) / 5)))
         return float(low), float(high), [10.0**level for level in np.arange(low, high + 0.5, step)]
-    high = 1.25 * float(values.max(initial=0.0)) or 1.0
-    step = 10.0 ** np.floor(np.log10(high / 2))
-    step *= next(factor for factor in (5, 2, 1) if high / (factor * step) >= 2)
-    return 0.0, high, [float(tick) for tick in np.arange(0, high, step)]
+    low, high = 1.25 * float(values.min(initial=0.0)), 1.25 * float(values.max(initial=0.0))
+    if low == high:
+        high = 1.0
+    step = 10.0 ** np.floor(np.log10((high - low) / 2))
+    step *= next(factor for factor in (5, 2, 1) if (high - low) / (factor * step) >= 3)
+    return low, high, [step * number for number in range(int(np.ceil(low / step)), int(np.ceil(high / step)))]
 
 
 def _curve(curve: Curve, down: Callable[[float], float]) -> Iterator[Stroke]:

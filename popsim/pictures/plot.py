@@ -10,6 +10,7 @@ from popsim.files import write_file, write_text
 from popsim.geometry.arrays import FloatArray, IntArray
 from popsim.pictures.canvas import to_image, to_svg
 from popsim.pictures.chart import Curve, Panel, draw, size_of
+from popsim.simulation.physical import PaperRun
 from popsim.simulation.stability import SINGULAR
 from popsim.simulation.sweep import Sweep
 from popsim.validity import examine
@@ -33,7 +34,7 @@ def check_plot(path: Path) -> None:
 
 
 def write_plot(path: Path, design: Design, verdict: Verdict, title: str, *, force: bool) -> None:
-    """Draw loop gap, stiffness, distance from the closed forms and depth of crossings.
+    """Draw loop gap, stiffness, distance from the closed forms, depth of crossings; as paper torque and clearance.
 
     Parameters
     ----------
@@ -60,6 +61,7 @@ def write_plot(path: Path, design: Design, verdict: Verdict, title: str, *, forc
         _stiffness(verdict),
         _closed_forms(design, verdict, settings),
         _crossings(verdict, settings),
+        *(() if verdict.paper is None else _paper(verdict.paper)),
     ]
     keys = [("closing", CLOSING, False), ("opening", OPENING, True)]
     shapes, size = draw(f"{title}: {'passed' if verdict.passed else 'failed'}", keys, panels), size_of(panels)
@@ -121,3 +123,24 @@ def _crossings(verdict: Verdict, settings: Settings) -> Panel:
     )
     deepest = f"; deepest: {' and '.join(contacts[0].patches)}" if contacts else ""
     return Panel(f"depth of crossings while closing, mm{deepest}", curves, limits, logarithmic=False, note=note)
+
+
+def _paper(run: PaperRun) -> tuple[Panel, Panel]:
+    """Torque at the central fold, and the narrowest gap between thick plates."""
+    torque, gaps = run.torque, run.clearance
+    turning = Curve(np.degrees(torque.theta), torque.torque, CLOSING)
+    narrowest = Curve(np.degrees(gaps.theta), gaps.least, CLOSING)
+    return (
+        Panel(
+            f"torque that holds the card, N mm, towards closing; {run.stock.name}",
+            (turning,),
+            (("rests by itself", 0.0),),
+            logarithmic=False,
+        ),
+        Panel(
+            f"narrowest gap between plates {run.stock.thickness:.3g} mm thick, mm; measured up to {gaps.most:.3g}",
+            (narrowest,),
+            (("touch", 0.0),),
+            logarithmic=False,
+        ),
+    )

@@ -50,7 +50,7 @@ def test_a_plot_is_drawn_and_its_format_checked_before_any_work(popsim, tmp_path
 
 
 def test_an_animation_of_another_format_is_refused_before_any_work(popsim, tmp_path: Path, box: str) -> None:
-    done = popsim("verify", box, "--animate", "box.mp4", "--report", "verdict.json")
+    done = popsim("verify", box, "--animate", "box.avi", "--report", "verdict.json")
     assert done.returncode == 2 and ".gif" in done.stderr
     assert not (tmp_path / "verdict.json").exists()
 

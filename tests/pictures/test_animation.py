@@ -1,5 +1,7 @@
 """The card closing and opening in pictures."""
 
+import sys
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -9,9 +11,18 @@ from PIL import Image
 
 from popsim.design import Design
 from popsim.errors import InputError, OutputError
-from popsim.pictures.animation import CLOSED, HELD, SHOWN, first_to_cross, write_animation
+from popsim.pictures.animation import (
+    CLOSED,
+    HELD,
+    SHOWN,
+    _marked,
+    check_animation,
+    first_to_cross,
+    write_animation,
+)
 from popsim.pictures.moving import MovingPopup
 from popsim.pictures.strip import Look
+from popsim.pictures.video import write_mp4
 from popsim.verification import verify
 
 TINY = Look(azimuth=14, elevation=28, width=96, height=72)
@@ -53,8 +64,9 @@ def test_it_closes_and_opens_every_six_degrees(crossing):
 
 
 def test_what_crosses_first_is_red_from_there_on(crossing):
-    first, patches = first_to_cross(verify(overlapping_boxes()))
-    assert {"M.F_L", "N.B_L"} <= patches
+    contacts = first_to_cross(verify(overlapping_boxes()))
+    assert {"M.F_L", "N.B_L"} <= {name for contact in contacts for name in contact.patches}
+    first = contacts[0].first
     pictures, _ = frames_of(crossing)
     angles = [*range(180, 0, -6), CLOSED, *range(6, 180, 6)]
     assert len(angles) == len(pictures)
@@ -67,7 +79,7 @@ def test_what_crosses_first_is_red_from_there_on(crossing):
 
 def test_nothing_is_red_where_nothing_crosses(tmp_path):
     design = plain_box()
-    assert first_to_cross(verify(design)) == (-1.0, frozenset())
+    assert first_to_cross(verify(design)) == ()
     pictures, _ = frames_of(drawn(tmp_path / "box.png", design))
     assert max(red(picture) for picture in pictures) == 0
 
@@ -85,11 +97,51 @@ def test_webp_moves_too_also_for_what_does_not_fold(tmp_path):
     assert len(pictures) == 60
 
 
+def test_what_crosses_while_opening_is_red_from_there_on(crossing):
+    verdict = verify(overlapping_boxes())
+    sweep, contact = verdict.evidence.sweep, first_to_cross(verdict)[0]
+    late = replace(contact, way="opening", frame=sweep.closed + 30)
+    assert _marked([late], sweep, sweep.closed + 29) == frozenset()
+    assert _marked([late], sweep, sweep.closed + 30) == set(late.patches)
+    assert _marked([contact], sweep, contact.frame - 1) == frozenset()
+    assert _marked([contact], sweep, sweep.closed) == set(contact.patches)
+
+
+def test_a_film_shows_what_the_gif_shows_and_is_the_same_every_time(tmp_path):
+    imageio_ffmpeg = pytest.importorskip("imageio_ffmpeg")
+    films = [drawn(tmp_path / name, overlapping_boxes()) for name in ("one.mp4", "two.mp4")]
+    assert films[0].read_bytes() == films[1].read_bytes()
+    reader = imageio_ffmpeg.read_frames(str(films[0]))
+    about = next(reader)
+    pictures = [np.frombuffer(frame, np.uint8).reshape(72, 96, 3).astype(int) for frame in reader]
+    held = round(HELD / SHOWN)
+    assert about["size"] == (96, 72)
+    assert about["fps"] == pytest.approx(1000 / SHOWN, abs=0.01)
+    assert len(pictures) == 58 + 2 * held
+    assert red(pictures[0]) == 0
+    assert max(red(picture) for picture in pictures) > 10
+
+
+def test_sides_of_odd_length_lose_a_pixel(tmp_path):
+    imageio_ffmpeg = pytest.importorskip("imageio_ffmpeg")
+    pictures = [Image.new("RGB", (33, 21), colour) for colour in ("white", "black")]
+    write_mp4(tmp_path / "odd.mp4", pictures, [70, 140])
+    reader = imageio_ffmpeg.read_frames(str(tmp_path / "odd.mp4"))
+    assert next(reader)["size"] == (32, 20)
+    assert [np.frombuffer(frame, np.uint8).mean() > 128 for frame in reader] == [True, False, False]
+
+
+def test_a_film_without_encoder_names_the_extra_before_any_work(monkeypatch):
+    monkeypatch.setitem(sys.modules, "imageio_ffmpeg", None)
+    with pytest.raises(InputError, match=r"popsim\[video\].*\.gif"):
+        check_animation(Path("card.mp4"))
+
+
 def test_other_formats_and_existing_files_are_refused(crossing):
     design = plain_box()
     verdict = verify(design)
     with pytest.raises(InputError, match=r"\.gif, \.webp"):
-        write_animation(crossing.with_suffix(".mp4"), design, verdict, crossing.parent, force=False)
+        write_animation(crossing.with_suffix(".avi"), design, verdict, crossing.parent, force=False)
     with pytest.raises(OutputError, match="--force"):
         write_animation(crossing, design, verdict, crossing.parent, look=TINY, force=False)
 

@@ -11,6 +11,7 @@ from PIL import Image
 from popsim.errors import InputError, OutputError
 from popsim.pictures.chart import HEIGHT, LEFT, RIGHT, TOP, WIDTH, Curve, Panel, Stroke, draw, size_of
 from popsim.pictures.plot import PAIRS, write_plot
+from popsim.stock import Stock
 from popsim.verification import verify
 
 SVG = "{http://www.w3.org/2000/svg}"
@@ -50,13 +51,13 @@ def test_a_sound_design_shows_all_panels_and_no_crossing(tmp_path):
 def test_the_crossing_is_drawn_where_it_was_measured(tmp_path):
     design = overlapping_boxes()
     contact = verify(design).evidence.contacts[0]
-    assert contact.first == contact.trace[0][0]
+    assert 0 <= contact.first - contact.trace[0][0] < np.radians(1)
     assert contact.depth == max(depth for _, depth in contact.trace)
     svg = svg_of(tmp_path, design)
     (line,) = [each for each in svg.iter(f"{SVG}polyline") if each.get("stroke") == PAIRS[0]]
     assert len(line.get("points").split()) == len(contact.trace)
     first = float(line.get("points").split(",")[0])
-    expected = LEFT + (180 - np.degrees(contact.first)) / 180 * (WIDTH - LEFT - RIGHT)
+    expected = LEFT + (180 - np.degrees(contact.trace[0][0])) / 180 * (WIDTH - LEFT - RIGHT)
     assert first == pytest.approx(expected, abs=0.01)
 
 
@@ -82,3 +83,17 @@ def test_other_suffixes_are_refused(tmp_path):
     design = plain_box()
     with pytest.raises(InputError, match=r"\.png or \.svg"):
         write_plot(tmp_path / "plot.bmp", design, verify(design), "box", force=False)
+
+
+def test_paper_adds_torque_and_clearance_also_below_zero(tmp_path):
+    design = plain_box()
+    verdict = verify(design, stock=Stock.of(200))
+    write_plot(tmp_path / "plot.svg", design, verdict, "box", force=True)
+    svg = ElementTree.fromstring((tmp_path / "plot.svg").read_text())
+    assert "torque that holds the card" in words(svg) and "0.25 mm thick" in words(svg)
+    torque = verdict.paper.torque.torque
+    assert torque.min() < 0 < torque.max()
+    curve = Curve(np.array([180.0, 0.0]), np.array([-4.0, 4.0]), "#123456")
+    shapes = draw("", [], [Panel("torque", (curve,), (("rest", 0.0),), logarithmic=False)])
+    (drawn,) = [shape for shape in shapes if isinstance(shape, Stroke) and shape.colour == "#123456"]
+    assert [y for _, y in drawn.points] == pytest.approx([TOP + 0.9 * HEIGHT, TOP + 0.1 * HEIGHT])
