@@ -9,5 +9,6 @@ design still meets every condition of :mod:`popsim.validity`.
 
 from popsim.fitting.fit import Fit, FitSettings, Subject, fit
 from popsim.fitting.volume import Volume, measure_volume
+from popsim.fitting.wishes import Pin, Region, Wishes
 
-__all__ = ["Fit", "FitSettings", "Subject", "Volume", "fit", "measure_volume"]
+__all__ = ["Fit", "FitSettings", "Pin", "Region", "Subject", "Volume", "Wishes", "fit", "measure_volume"]

@@ -1,34 +1,40 @@
 """A set of primitives on base patch pairs, and the mechanisms they stand for."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 from popsim.design import Card
 from popsim.errors import GeometryError
 from popsim.fitting.knobs import settled, thinnest
 from popsim.fitting.mapping import mappings
+from popsim.fitting.wishes import Wishes
 from popsim.mechanisms import BasePatchPair, Mechanism, Primitive, assemble, card_pair
 from popsim.validity import examine
 
 
 @dataclass(frozen=True)
 class Node:
-    """A primitive, the pair it stands on, and the node that offers the pair (None: the card)."""
+    """A primitive, the pair it stands on, and the node that offers the pair (None: the card).
+
+    `kept` is its mechanism where the user keeps it as it is; else the primitive is mapped to one.
+    """
 
     primitive: Primitive
     pair: BasePatchPair
     parent: int | None
+    kept: Mechanism | None = None
 
 
 @dataclass(frozen=True)
 class Candidate:
-    """Nodes, bases before what stands on them, their mechanisms M1, M2 ..., and the least extent allowed, mm."""
+    """Nodes, bases before what stands on them, their mechanisms M1, M2 ..., the least extent in mm, and wishes."""
 
     card: Card
     nodes: tuple[Node, ...] = ()
     mechanisms: tuple[Mechanism, ...] = ()
     least: float = 0.0
+    wishes: Wishes = field(default_factory=Wishes)
 
     @cached_property
     def patches(self) -> int:
@@ -49,15 +55,22 @@ class Candidate:
 
     def with_node(self, node: Node) -> "Candidate | None":
         """The candidate with one more node, or None where no mechanism can represent it."""
-        return build(self.card, (*self.nodes, node), self.least)
+        return build(self.card, (*self.nodes, node), self.least, self.wishes)
 
     def with_primitive(self, index: int, primitive: Primitive) -> "Candidate | None":
-        """The candidate with another primitive at a node, and all that stands on it moved along."""
+        """The candidate with another primitive at a node, and all that stands on it moved along.
+
+        None where no mechanism can represent it, or the node is kept.
+        """
+        if self.nodes[index].kept is not None:
+            return None
         changed = Node(primitive, self.nodes[index].pair, self.nodes[index].parent)
-        return build(self.card, (*self.nodes[:index], changed, *self.nodes[index + 1 :]), self.least)
+        return build(self.card, (*self.nodes[:index], changed, *self.nodes[index + 1 :]), self.least, self.wishes)
 
     def without(self, index: int) -> "Candidate | None":
-        """The candidate without a node and all that stands on it."""
+        """The candidate without a node and all that stands on it, or None where the node is kept."""
+        if self.nodes[index].kept is not None:
+            return None
         gone = {index}
         for later in range(index + 1, len(self.nodes)):
             if self.nodes[later].parent in gone:
@@ -65,18 +78,23 @@ class Candidate:
         kept = [k for k in range(len(self.nodes)) if k not in gone]
         place = {old: new for new, old in enumerate(kept)}
         nodes = [self.nodes[k] for k in kept]
-        moved = [Node(n.primitive, n.pair, None if n.parent is None else place[n.parent]) for n in nodes]
-        return build(self.card, moved, self.least)
+        moved = [replace(n, parent=None if n.parent is None else place[n.parent]) for n in nodes]
+        return build(self.card, moved, self.least, self.wishes)
 
 
-def build(card: Card, nodes: Sequence[Node], least: float) -> Candidate | None:
+def build(card: Card, nodes: Sequence[Node], least: float, wishes: Wishes | None = None) -> Candidate | None:
     """Build the mechanisms of nodes, each on the pair of its parent that is nearest to its own.
 
-    None where a node finds no pair, is thinner than `least` mm, or no mechanism can represent it.
+    None where a node finds no pair, is thinner than `least` mm, or no mechanism can or may represent it.
     """
+    wishes = wishes or Wishes()
     done: list[Node] = []
     mechanisms: list[Mechanism] = []
     for index, node in enumerate(nodes):
+        if node.kept is not None:
+            done.append(node)
+            mechanisms.append(node.kept)
+            continue
         offered = [card_pair(card)] if node.parent is None else list(mechanisms[node.parent].pairs())
         pair = _nearest(node.pair, offered)
         if pair is None:
@@ -87,12 +105,12 @@ def build(card: Card, nodes: Sequence[Node], least: float) -> Candidate | None:
             return None
         if thinnest(primitive) < least:
             return None
-        mapped = mappings(primitive, pair, f"M{index + 1}")
+        mapped = mappings(primitive, pair, f"M{index + 1}", wishes.allows)
         if not mapped:
             return None
         done.append(Node(primitive, pair, node.parent))
         mechanisms.append(mapped[0].mechanism)
-    return Candidate(card, tuple(done), tuple(mechanisms), least)
+    return Candidate(card, tuple(done), tuple(mechanisms), least, wishes)
 
 
 def _nearest(pair: BasePatchPair, offered: Sequence[BasePatchPair]) -> BasePatchPair | None:

@@ -33,6 +33,15 @@ class Field:
                 if block.size:
                     block[self._within(prism, (a, b), (c, d), (e, f))] = BLOCKED
 
+    def bar(self, bounds: FloatArray) -> None:
+        """Let nothing cover a cell that reaches into a box, rows low and high, card frame, mm, shape (2, 3)."""
+        grown = bounds + np.array([[-0.5], [0.5]]) * self.volume.cell
+        for half, sign in enumerate((1, -1)):
+            near, far = sorted(sign * grown[:, 1])
+            low = np.array([grown[0, 0], max(0.0, near), grown[0, 2]])
+            (a, b), (c, d), (e, f) = self.cells(low, np.array([grown[1, 0], far, grown[1, 2]]))
+            self.gain[half, a:b, c:d, e:f] = BLOCKED
+
     def _within(self, prism: Primitive, *ranges: tuple[int, int]) -> BoolArray:
         """Which cells of a block lie in a prism, by their centres."""
         x, u, z = np.meshgrid(*(np.arange(*r) + 0.5 for r in ranges), indexing="ij")

@@ -1,7 +1,7 @@
 """The abstraction of a model: several greedy runs, the best of them refitted."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
 from popsim.design import Card
@@ -9,11 +9,13 @@ from popsim.errors import GeometryError, InputError, MeshError
 from popsim.fitting.appearance import Appearance, Likeness
 from popsim.fitting.candidate import Candidate, build
 from popsim.fitting.greedy import Grower, Taste
+from popsim.fitting.kept import first_candidate
 from popsim.fitting.mapping import error_cover, mappings
 from popsim.fitting.refit import Climber
 from popsim.fitting.scale import scaled_node
 from popsim.fitting.snap import Planes
 from popsim.fitting.volume import Volume
+from popsim.fitting.wishes import Wishes
 from popsim.geometry.arrays import FloatArray
 from popsim.mechanisms import Mechanism, Primitive
 
@@ -51,10 +53,13 @@ class FitSettings:
         0 (few patches) to 1 (many).
     most_patches:
         No prism is placed that would lead to more, ground and backdrop not counted.
+    wishes:
+        What is kept, and what may not be.
     """
 
     detail: float = 0.5
     most_patches: int = 120
+    wishes: Wishes = field(default_factory=Wishes)
 
     def __post_init__(self) -> None:
         if not 0 <= self.detail <= 1:
@@ -122,10 +127,11 @@ class Fit:
         return tuple(_placement(self.candidate, index) for index in range(len(self.candidate.nodes)))
 
     def without(self, names: Sequence[str]) -> "Fit | None":
-        """The fit without some mechanisms and what stands on them, or None where nothing is left."""
+        """The fit without some mechanisms and what stands on them, but for kept ones; None where none is left."""
         candidate: Candidate | None = self.candidate
         for index in reversed(range(len(self.mechanisms))):
-            if self.mechanisms[index].id in names and candidate is not None:
+            kept = self.candidate.nodes[index].kept is not None
+            if self.mechanisms[index].id in names and candidate is not None and not kept:
                 candidate = candidate.without(index)
         return None if candidate is None or not candidate.nodes else replace(self, candidate=candidate)
 
@@ -135,12 +141,15 @@ class Fit:
         Raises
         ------
         GeometryError
-            Nothing is left at that size.
+            Nothing is left at that size, or a mechanism is kept as it is.
         """
+        if self.candidate.wishes.kept:
+            raise GeometryError("a fit with mechanisms that are kept as they are cannot be scaled")
         nodes = [scaled_node(node, factor) for node in self.candidate.nodes]
         old = self.candidate.card
         card = Card(x=(old.x[0] * factor, old.x[1] * factor), depth=old.depth * factor)
-        candidate = build(card, nodes, self.candidate.least * factor * (1 - 1e-9))
+        wishes = self.candidate.wishes.scaled(factor)
+        candidate = build(card, nodes, self.candidate.least * factor * (1 - 1e-9), wishes)
         if candidate is None:
             raise GeometryError(f"the fit cannot be made {factor:g} times as large")
         return Fit(candidate, self.likeness, self.closed_gap * factor)
@@ -173,6 +182,8 @@ def fit(subject: Subject, settings: FitSettings | None = None) -> Fit:
     ------
     MeshError
         No prism is worth a mechanism.
+    InputError
+        What the user keeps does not fold, or has more patches than are allowed.
     """
     settings = settings or FitSettings()
     appearance = Appearance(subject.scene, subject.bounds)
@@ -185,7 +196,8 @@ def fit(subject: Subject, settings: FitSettings | None = None) -> Fit:
     volume = subject.volume
     size = subject.bounds[1] - subject.bounds[0]
     far = 20 * float(size.max())
-    empty = Candidate(Card(x=(-far, far), depth=far), least=THINNEST * float(size.max()))
+    card, least = Card(x=(-far, far), depth=far), THINNEST * float(size.max())
+    empty = first_candidate(card, least, settings.wishes, settings.most_patches)
     found: list[tuple[float, int, Candidate, int]] = []
     for founded, (*taste, radius) in [(False, TASTES[0]), *((True, taste) for taste in TASTES)]:
         filled = volume.closed(radius) if radius else volume
@@ -202,7 +214,8 @@ def fit(subject: Subject, settings: FitSettings | None = None) -> Fit:
 
 def _placement(candidate: Candidate, index: int) -> Placement:
     node, mechanism = candidate.nodes[index], candidate.mechanisms[index]
-    others = mappings(node.primitive, node.pair, mechanism.id)[1:]
+    mapped = mappings(node.primitive, node.pair, mechanism.id, candidate.wishes.allows)
+    others = [other for other in mapped if other.mechanism != mechanism]
     return Placement(
         node.primitive,
         mechanism,

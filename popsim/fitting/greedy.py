@@ -97,12 +97,14 @@ class Grower:
         field = Field(self.volume, self.taste.empty)
         for node in state.nodes:
             field.cover(node.primitive)
+        for region in state.wishes.keep_out:
+            field.bar(region.bounds)
         price = self.taste.price * field.solid_cells
         options = []
         for pair, parent in state.pairs:
             for proposal in self._proposals(field, state, pair, Prices(price, self.taste.trust)):
                 primitive = simplified(self._snapped(proposal), state.least)
-                mapped = mappings(primitive, pair, "M")
+                mapped = mappings(primitive, pair, "M", state.wishes.allows)
                 if mapped:
                     options.append((_profit(proposal, mapped[0], price), Node(primitive, pair, parent)))
         return sorted(options, key=lambda option: -option[0])

@@ -1,5 +1,6 @@
 """From a primitive to the mechanism that represents it best (Sec. 4.2, Table 1, Eq. 2)."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -16,12 +17,18 @@ class Mapped:
     error_cover: float
 
 
-def mappings(primitive: Primitive, pair: BasePatchPair, id: str) -> list[Mapped]:
-    """All mechanisms that can represent `primitive` on `pair`, the one with the least error_cover first."""
+def mappings(
+    primitive: Primitive,
+    pair: BasePatchPair,
+    id: str,
+    allows: Callable[[Mechanism], bool] = lambda mechanism: True,
+) -> list[Mapped]:
+    """All mechanisms that can and may represent `primitive` on `pair`, that with the least error_cover first."""
     found = [
         Mapped(mechanism, error_cover(mechanism, primitive))
         for kind in MECHANISMS.values()
         for mechanism in kind.from_primitive(primitive, pair, id)
+        if allows(mechanism)
     ]
     return sorted(found, key=lambda mapped: mapped.error_cover)
 

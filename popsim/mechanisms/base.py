@@ -178,6 +178,11 @@ class Mechanism(ABC):
         poses = self.poses(theta)
         return np.concatenate([transform(poses[plate.role], plate.outline) for plate in self.plates()], axis=1)
 
+    def face_box(self) -> FloatArray:
+        """Box around the faces in the open pose, rows low and high, shape (2, 3), mm."""
+        corners = np.concatenate([plate.outline for plate in self.plates()])
+        return np.array([corners.min(axis=0), corners.max(axis=0)])
+
     def parameters(self) -> dict[str, Any]:
         """The mechanism's own fields, for design.json."""
         return {own.name: getattr(self, own.name) for own in fields(self) if own.name not in ("id", "pair")}

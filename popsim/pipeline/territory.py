@@ -23,7 +23,7 @@ def territories(mechanisms: Sequence[Mechanism], bounds: FloatArray) -> dict[str
 
 
 def _territory(mechanism: Mechanism, mechanisms: Sequence[Mechanism], space: FloatArray) -> FloatArray:
-    faces = face_box(mechanism)
+    faces = mechanism.face_box()
     box = space.copy()
     pair = mechanism.pair
     box[0, 2] = pair.v if pair.v > 0 else space[0, 2]
@@ -36,7 +36,7 @@ def _territory(mechanism: Mechanism, mechanisms: Sequence[Mechanism], space: Flo
         box[:, 0] = faces[0, 0] - ROUND, faces[1, 0] + ROUND
     for other in mechanisms:
         if other is not mechanism and other.pair.owner == pair.owner and other.pair.kind is pair.kind:
-            _part(box, faces, face_box(other))
+            _part(box, faces, other.face_box())
     return box
 
 
@@ -46,9 +46,3 @@ def _part(box: FloatArray, own: FloatArray, other: FloatArray) -> None:
         box[1, 0] = min(box[1, 0], (own[1, 0] + other[0, 0]) / 2)
     elif other[1, 0] <= own[0, 0]:
         box[0, 0] = max(box[0, 0], (own[0, 0] + other[1, 0]) / 2)
-
-
-def face_box(mechanism: Mechanism) -> FloatArray:
-    """Box around the open faces of a mechanism, rows low and high, shape (2, 3), mm."""
-    corners = np.concatenate([plate.outline for plate in mechanism.plates()])
-    return np.array([corners.min(axis=0), corners.max(axis=0)])
