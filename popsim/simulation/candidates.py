@@ -5,7 +5,6 @@ from dataclasses import dataclass
 import numpy as np
 
 from popsim.geometry.arrays import BoolArray, FloatArray, IntArray
-from popsim.simulation.neighbours import touching
 from popsim.simulation.sweep import Sweep
 
 
@@ -26,7 +25,7 @@ def candidate_pairs(sweep: Sweep, frames: IntArray, least: float) -> list[Candid
     places = sweep.places[frames]
     low, high = sweep.corners.least(places), sweep.corners.greatest(places)
     through = _Straddling(sweep, frames, places, least)
-    joined = touching(sweep.design)
+    joined = sweep.touching
     least_low, most_high = low.min(axis=0), high.max(axis=0)
     found = []
     for first in range(len(sweep.design.patches)):
@@ -52,6 +51,7 @@ class _Straddling:
     def __init__(self, sweep: Sweep, frames: IntArray, places: FloatArray, least: float) -> None:
         self._corners = places
         self._spans = sweep.corners.spans
+        self._numbers = np.arange(places.shape[1])
         self._least = least
         patches = sweep.design.patches
         turns = sweep.poses[frames][..., :3, :3]
@@ -60,7 +60,7 @@ class _Straddling:
 
     def plane_of(self, patch: int, others: IntArray) -> BoolArray:
         """For each angle, which of `others` straddle the plane of `patch`, shape (n, k)."""
-        picked = [np.r_[self._spans[k]] for k in others]
+        picked = [self._numbers[self._spans[k]] for k in others]
         starts = np.cumsum([0, *(len(corners) for corners in picked[:-1])])
         away = self._corners[:, np.concatenate(picked)] - self._origins[:, patch, None]
         height = (away @ self._normals[:, patch, :, None])[..., 0]

@@ -1,10 +1,11 @@
 """Which patches touch for ever: those that share a hinge line."""
 
+from itertools import combinations
+
 import numpy as np
 
 from popsim.design import Design, Hinge
-from popsim.geometry.arrays import BoolArray
-from popsim.geometry.plane import line_distance
+from popsim.geometry.arrays import BoolArray, cross
 
 SAME_LINE = 0.05
 """mm; hinges of one patch nearer than this lie on one line."""
@@ -18,22 +19,44 @@ def touching(design: Design) -> BoolArray:
     """
     place = {patch.id: index for index, patch in enumerate(design.patches)}
     pairs = np.eye(len(place), dtype=bool)
-    for members in _lines(design):
-        inside = [place[name] for name in members]
+    for hinges in _lines(design):
+        inside = [place[name] for hinge in hinges for name in hinge.patches]
         pairs[np.ix_(inside, inside)] = True
     return pairs
 
 
-def _lines(design: Design) -> list[set[str]]:
-    """Patches on each hinge line; hinges that share a patch and lie on one line belong together."""
-    group = {hinge.id: index for index, hinge in enumerate(design.hinges)}
-    members: dict[int, list[Hinge]] = {index: [hinge] for index, hinge in enumerate(design.hinges)}
-    for hinges in design.hinges_by_patch.values():
-        for index, hinge in enumerate(hinges):
-            for other in hinges[:index]:
-                mine, theirs = group[hinge.id], group[other.id]
-                if mine != theirs and line_distance(hinge.points, other.points).max() < SAME_LINE:
-                    for moved in members.pop(theirs):
-                        group[moved.id] = mine
-                        members[mine].append(moved)
-    return [{name for hinge in hinges for name in hinge.patches} for hinges in members.values()]
+def _lines(design: Design) -> list[list[Hinge]]:
+    """Hinges on each line; those that share a patch and lie on one line belong together."""
+    root = list(range(len(design.hinges)))
+
+    def find(index: int) -> int:
+        while root[index] != index:
+            root[index] = root[root[index]]
+            index = root[index]
+        return index
+
+    for one, other in _on_one_line(design):
+        root[find(one)] = find(other)
+    lines: dict[int, list[Hinge]] = {}
+    for index, hinge in enumerate(design.hinges):
+        lines.setdefault(find(index), []).append(hinge)
+    return list(lines.values())
+
+
+def _on_one_line(design: Design) -> list[tuple[int, int]]:
+    """Pairs of hinges that share a patch and lie on one line, by their positions in the design."""
+    number = {hinge.id: index for index, hinge in enumerate(design.hinges)}
+    shared = [
+        (number[one.id], number[other.id])
+        for hinges in design.hinges_by_patch.values()
+        for one, other in combinations(hinges, 2)
+    ]
+    if not shared:
+        return []
+    first, second = np.array(shared).T
+    points = np.array([hinge.points for hinge in design.hinges])
+    along = points[:, 1] - points[:, 0]
+    along /= np.linalg.norm(along, axis=-1, keepdims=True)
+    away = cross(points[first] - points[second, :1], along[second, None])
+    near = np.linalg.norm(away, axis=-1).max(axis=-1) < SAME_LINE
+    return [pair for pair, same in zip(shared, near.tolist(), strict=True) if same]

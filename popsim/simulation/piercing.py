@@ -10,7 +10,6 @@ from popsim.design import Patch
 from popsim.geometry.arrays import FloatArray, IntArray
 from popsim.geometry.rigid import transform
 from popsim.simulation.contact import Depths
-from popsim.simulation.neighbours import touching
 from popsim.simulation.sweep import Sweep
 
 IN_PLANE = 1e-3
@@ -56,7 +55,7 @@ class _Folds:
         self._places = sweep.places[frames]
         self._low, self._high = self.axes.min(axis=2), self.axes.max(axis=2)
         self._swept = self._low.min(axis=0, initial=np.inf), self._high.max(axis=0, initial=-np.inf)
-        self._joined = touching(sweep.design)
+        self._joined = sweep.touching
 
     def through_plane_of(self, place: int) -> tuple[IntArray, IntArray]:
         """Angles and folds, shape (k,) each, where the fold lies in the plane of a patch between its own two.

@@ -50,10 +50,9 @@ class Rig:
         self.data: Any = mujoco.MjData(self.model)
         self._step = mujoco.mj_step
         self._place = mujoco.mj_kinematics
-        self.joint_order = [self.model.joint(joint.hinge.id).qposadr[0] for joint in self.forest.joints]
-        self.joint_axes: FloatArray = np.array(
-            [self.model.joint(joint.hinge.id).axis for joint in self.forest.joints]
-        ).reshape(-1, 3)
+        joints = [self.model.joint(joint.hinge.id).id for joint in self.forest.joints]
+        self.joint_order = self.model.jnt_qposadr[joints]
+        self.joint_axes: FloatArray = self.model.jnt_axis[joints]
         limited = self.model.jnt_limited[:, None].astype(bool)
         ranges = np.where(limited, self.model.jnt_range, [[-np.inf, np.inf]])
         self.joint_limits: tuple[FloatArray, FloatArray] = tuple(ranges[self.joint_order].T)

@@ -7,10 +7,11 @@ from functools import cached_property
 import numpy as np
 
 from popsim.design import Design
-from popsim.geometry.arrays import FloatArray
+from popsim.geometry.arrays import BoolArray, FloatArray
 from popsim.geometry.frame import OPEN
 from popsim.simulation.hull import Corners
 from popsim.simulation.kinematics import chain_poses
+from popsim.simulation.neighbours import touching
 from popsim.simulation.rig import Rig, page_quaternions
 from popsim.simulation.schedule import Schedule
 from popsim.simulation.solver import Pacing
@@ -63,6 +64,11 @@ class Sweep:
     def places(self) -> FloatArray:
         """Where these corners are at each recorded angle, shape (n, v, 3)."""
         return self.corners.moved(self.poses)
+
+    @cached_property
+    def touching(self) -> BoolArray:
+        """Pairs of patches that meet on a hinge line for ever, shape (p, p)."""
+        return touching(self.design)
 
     @property
     def hulls(self) -> tuple[FloatArray, ...]:

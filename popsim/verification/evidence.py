@@ -47,8 +47,8 @@ class Evidence:
 
     @property
     def free_count(self) -> int:
-        """Most free motions at any angle."""
-        return max((motion.count for motion in self.free), default=0)
+        """Free motions; at the angle with fewest, where there are any: a pose may happen to be singular too."""
+        return min((motion.count for motion in self.free if motion.count), default=0)
 
 
 def gather(design: Design, settings: Settings) -> Evidence:
@@ -62,7 +62,7 @@ def gather(design: Design, settings: Settings) -> Evidence:
         sweep=sweep,
         gaps=gaps,
         free=tuple(free_motions(rig, sweep)),
-        pushes=tuple(push_test(rig, sweep)),
+        pushes=tuple(push_test(rig, sweep, settings.pushed * rig.scale)),
         flat=flatness(sweep),
         reopened=reopening(sweep),
         protruding=protrusion(sweep),

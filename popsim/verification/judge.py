@@ -55,12 +55,13 @@ def _foldable(evidence: Evidence, settings: Settings, closes: bool) -> tuple[Mea
 
 
 def _stable(evidence: Evidence, settings: Settings) -> tuple[Measure, ...]:
-    most = max(evidence.free, key=lambda motion: motion.count, default=None)
     hardest = max(evidence.pushes, key=lambda push: np.nan_to_num(push.moved, nan=np.inf), default=None)
     measures = []
-    if most is not None:
-        at = f"at {_degrees(most.theta)}" if most.count else f"{len(evidence.free)} angles"
-        measures.append(Measure("free motions", most.count, 0, "", at))
+    if evidence.free:
+        loose = sum(motion.count > 0 for motion in evidence.free)
+        share = f"{loose} of {len(evidence.free)}" if loose else f"{len(evidence.free)}"
+        at = f"{share} angles from {_degrees(evidence.free[0].theta)} to {_degrees(evidence.free[-1].theta)}"
+        measures.append(Measure("free motions", evidence.free_count, 0, "", at))
     if hardest is not None:
         where = f"{hardest.patch} at {_degrees(hardest.theta)}"
         limit, left = _push_limit(evidence, settings), max(push.left for push in evidence.pushes)

@@ -13,8 +13,8 @@ from popsim.verification.settings import Settings
 BATCH = 4
 """Designs that travel together to a worker: more would make the progress jumpy."""
 
-DEFAULT = Settings(angles=90)
-"""Every second of the angles at which one design is verified; that sees all that this sees."""
+DEFAULT = Settings(angles=45, first_contact=180.0)
+"""Every fourth of the angles at which one design is verified, and no finer search for where contacts begin."""
 
 
 def run_campaign(

@@ -11,7 +11,7 @@ import numpy as np
 from popsim.design import Design
 from popsim.errors import InputError
 from popsim.mechanisms import assemble
-from popsim.verification.random_designs.contours import random_shapes
+from popsim.verification.random_designs.contours import random_shapes, reshaped
 from popsim.verification.random_designs.flaws import FLAWS, Flaw
 from popsim.verification.random_designs.growth import Limits, grow
 
@@ -67,7 +67,7 @@ def random_design(
         growth = grow(rng, limits)
         shapes = random_shapes(rng, growth.parts) if rng.random() < CONTOURED else {}
         note = f"valid, {len(growth.parts)} mechanisms, {len(shapes)} contours"
-        return RandomDesign(assemble(growth.card, growth.parts, shapes), None, note)
+        return RandomDesign(reshaped(assemble(growth.card, growth.parts, checked=False), shapes), None, note)
     if breaking not in FLAWS:
         raise InputError(f"there is no flaw {breaking!r}; choose one of {', '.join(FLAWS)}")
     flaw = FLAWS[breaking]

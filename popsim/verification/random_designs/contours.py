@@ -1,13 +1,15 @@
 """Random contours: notches and windows, the non-convex patches with holes that models give."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 from numpy.random import Generator
 
+from popsim.design import Design
 from popsim.geometry.arrays import FloatArray
 from popsim.geometry.plane import Plane, line_distance
 from popsim.mechanisms import Mechanism, Plate, Shape
+from popsim.mechanisms.assemble import as_points
 
 CUT_SHARE = 0.4
 """How often a face on which nothing stands is cut."""
@@ -32,6 +34,22 @@ def random_shapes(rng: Generator, mechanisms: Sequence[Mechanism]) -> dict[str, 
             if name not in bases and rng.random() < CUT_SHARE:
                 shapes[name] = _cut(rng, mechanism, plate)
     return shapes
+
+
+def reshaped(design: Design, shapes: Mapping[str, Shape]) -> Design:
+    """The design with the contours of :func:`random_shapes`, which leave all hinges as they are."""
+    patches = tuple(
+        patch.model_copy(
+            update={
+                "outline": as_points(shapes[patch.id].outline),
+                "holes": tuple(as_points(hole) for hole in shapes[patch.id].holes),
+            }
+        )
+        if patch.id in shapes
+        else patch
+        for patch in design.patches
+    )
+    return design.model_copy(update={"patches": patches})
 
 
 def _cut(rng: Generator, mechanism: Mechanism, plate: Plate) -> Shape:
