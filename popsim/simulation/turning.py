@@ -67,17 +67,12 @@ def free_turns(design: Design, hinges: Sequence[Hinge]) -> dict[str, Turn]:
     return {hinge.id: Turn(hinge, low, high) for hinge, low, high in limits}
 
 
-def angle_between(design: Design, hinge: Hinge) -> float:
-    """Angle in the open pose from the first patch of `hinge` to the second, rad, right-handed about its axis.
-
-    Between the sides to which the normal of each patch turned by the axis points; whether a patch lies there or
-    on the other side of its hinge (or on both) is not asked.
-    """
-    return float(angles_between(design, [hinge])[0])
-
-
 def angles_between(design: Design, hinges: Sequence[Hinge]) -> FloatArray:
-    """The same of several hinges, shape (h,)."""
+    """Angle in the open pose from the first patch of each hinge to the second, rad, shape (h,).
+
+    Right-handed about its axis, between the sides to which the normal of each patch turned by the axis points;
+    whether a patch lies there or on the other side of its hinge (or on both) is not asked.
+    """
     axes, away = _directions(design, hinges)
     first, second = away[:, 0], away[:, 1]
     return np.asarray(np.arctan2((axes * cross(first, second)).sum(axis=-1), (first * second).sum(axis=-1)))

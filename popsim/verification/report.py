@@ -9,6 +9,7 @@ from popsim import __version__
 from popsim.mechanisms import Condition
 from popsim.verification.numbers import number, numbers
 from popsim.verification.paper_report import paper_dict
+from popsim.verification.play import KEPT, Play
 from popsim.verification.verdict import Finding, Measure, Verdict
 
 
@@ -81,6 +82,7 @@ def to_dict(verdict: Verdict) -> dict[str, Any]:
             "deg": numbers(evidence.sweep.degrees.tolist()),
             "gap": numbers(evidence.gaps.by_angle.tolist()),
         },
+        "play": None if verdict.play is None else _play(verdict.play),
         "paper": None if verdict.paper is None else paper_dict(verdict.paper),
     }
 
@@ -97,6 +99,18 @@ def _finding(finding: Finding) -> dict[str, Any]:
         "broken": [_condition(condition) for condition in broken],
         "measures": [_measure(measure) for measure in finding.measures],
         "unjudged": finding.unjudged or None,
+    }
+
+
+def _play(play: Play) -> dict[str, Any]:
+    return {
+        "needed": number(play.needed),
+        "hinge": play.hinge,
+        "patches": list(play.patches),
+        "deg": number(np.degrees(play.theta)),
+        "slanted": list(play.slanted),
+        "kept": KEPT if play.shortened is not None else None,
+        "shortened": None if play.shortened is None else number(play.shortened),
     }
 
 

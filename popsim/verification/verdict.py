@@ -7,6 +7,7 @@ from popsim.mechanisms import Condition
 from popsim.mechanisms.condition import Aspect
 from popsim.simulation.physical import PaperRun
 from popsim.verification.evidence import Evidence
+from popsim.verification.play import Play
 
 Grade = Literal["rigid", "within play", "refused"]
 Disagreement = Literal["hole", "slack"]
@@ -128,6 +129,8 @@ class Verdict:
         Sentences for the reader.
     evidence:
         The motion and everything measured in it.
+    play:
+        Where and how much, and how to need less; None where it folds rigidly, or loops tear.
     paper:
         What a second run on paper has measured; it takes no part in the verdict. None where none was asked for, or
         nothing can be told: a note says why.
@@ -139,6 +142,7 @@ class Verdict:
     ranges: dict[str, tuple[tuple[float, float], tuple[float, float] | None]]
     notes: tuple[str, ...]
     evidence: Evidence = field(repr=False)
+    play: Play | None = None
     paper: PaperRun | None = field(default=None, repr=False)
 
     @property

@@ -11,6 +11,7 @@ from popsim.verification.evidence import Evidence, gather
 from popsim.verification.judge import grade, judge, rigid_and_steady
 from popsim.verification.paper import run_on_paper
 from popsim.verification.paper_report import paper_notes
+from popsim.verification.play import Play, play_needed
 from popsim.verification.settings import Settings
 from popsim.verification.verdict import Finding, Verdict
 
@@ -29,6 +30,7 @@ def verify(design: Design, settings: Settings = DEFAULT, stock: Stock | None = N
     theory = examine(design)
     evidence = gather(design, settings)
     findings = tuple(_finding(aspect, theory, evidence, settings) for aspect in ASPECTS)
+    play = play_needed(design, evidence, settings)
     paper, untold = (None, "") if stock is None else run_on_paper(evidence, settings, stock)
     comparable = findings[0].theory is True and rigid_and_steady(evidence, settings)
     return Verdict(
@@ -36,8 +38,9 @@ def verify(design: Design, settings: Settings = DEFAULT, stock: Stock | None = N
         agreement=agreement(evidence.sweep, theory, settings) if comparable else (),
         grade=grade(evidence, settings),
         ranges=measured_ranges(evidence.sweep, theory) if comparable else {},
-        notes=(*_notes(design, evidence, settings), *_paper_notes(paper, untold)),
+        notes=(*_notes(design, evidence, play, settings), *_paper_notes(paper, untold)),
         evidence=evidence,
+        play=play,
         paper=paper,
     )
 
@@ -51,18 +54,14 @@ def _finding(aspect: Aspect, theory: Theory, evidence: Evidence, settings: Setti
     return Finding(aspect, conditions, measures, unjudged, founded=aspect == "foldable" or folds)
 
 
-def _notes(design: Design, evidence: Evidence, settings: Settings) -> tuple[str, ...]:
+def _notes(design: Design, evidence: Evidence, play: Play | None, settings: Settings) -> tuple[str, ...]:
     notes = []
     if not design.mechanisms:
         notes.append(
             "the design names no mechanisms: there is no theory to compare with, the simulation alone decides"
         )
-    if grade(evidence, settings) == "within play" and evidence.gaps.worst is not None:
-        hinge, _ = evidence.gaps.worst
-        notes.append(
-            f"needs {evidence.gaps.largest:.2g} mm of play at hinge {hinge.id} ({' and '.join(hinge.patches)}); "
-            "a shorter glued length on that edge needs less"
-        )
+    if play is not None and (play.shortened is not None or grade(evidence, settings) == "within play"):
+        notes.append(play.sentence)
     return tuple(notes)
 
 

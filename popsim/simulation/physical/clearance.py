@@ -22,6 +22,9 @@ from popsim.simulation.sweep import Sweep
 REACH = 10.0
 """Of the thickness; gaps wider than this are not measured."""
 
+ALIKE = 5
+"""Decimals of an angle in rad to which pairs that touch alike are told in the order of their names."""
+
 APART = 0.02
 """mm; a gap wider than this is open. Less is rounding, or the play of edges cut to fit."""
 
@@ -71,7 +74,8 @@ def clearance(sweep: Sweep, frames: list[int], thickness: float) -> Clearance:
         least = np.minimum(least, gap)
         if gap.min() < 0:
             touches.append(Touch((names[first], names[second]), _first(theta, gap)))
-    return Clearance(theta, least, most, tuple(sorted(touches, key=lambda touch: (-touch.theta, touch.patches))))
+    touches.sort(key=lambda touch: (-round(touch.theta, ALIKE), touch.patches))
+    return Clearance(theta, least, most, tuple(touches))
 
 
 def _gaps(sweep: Sweep, frames: list[int], thickness: float, most: float) -> dict[tuple[int, int], FloatArray]:
