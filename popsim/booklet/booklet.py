@@ -38,6 +38,8 @@ class Booklet:
         Width of the picture by its height.
     entries:
         The steps.
+    banner:
+        A warning on the cover, or None.
     checks:
         What to look at when it is done, one sentence each; may be empty.
     """
@@ -47,11 +49,18 @@ class Booklet:
     picture: str
     aspect: float
     entries: tuple[Entry, ...]
-    checks: tuple[str, ...] = ()
+    banner: str | None
+    checks: tuple[str, ...]
 
 
 def make_booklet(
-    plan: AssemblyPlan, name: str, picture: str, aspect: float, form: Format, checks: tuple[str, ...] = ()
+    plan: AssemblyPlan,
+    name: str,
+    picture: str,
+    aspect: float,
+    form: Format,
+    banner: str | None,
+    checks: tuple[str, ...],
 ) -> Booklet:
     """Draw the figures of all steps of a plan for pages of a format."""
     layout = plan.layout
@@ -71,4 +80,4 @@ def make_booklet(
         paper=layout.paper.name,
         steps=wording.counted(len(plan.steps), wording.STEPS),
     )
-    return Booklet(name, facts, picture, aspect, tuple(entries), checks)
+    return Booklet(name, facts, picture, aspect, tuple(entries), banner, checks)

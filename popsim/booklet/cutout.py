@@ -3,11 +3,9 @@
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-import numpy as np
-
 from popsim.geometry.arrays import FloatArray
-from popsim.layout import Crease, Flap, Layout, Part
-from popsim.layout.sites import Face
+from popsim.geometry.flat import inverse, move
+from popsim.layout import Flap, Layout, Part, Piece
 
 if TYPE_CHECKING:
     from shapely.geometry.base import BaseGeometry
@@ -47,23 +45,18 @@ def cutout(shape: "BaseGeometry", folds: list[FloatArray]) -> Cutout:
 
 def part_cutouts(layout: Layout) -> dict[str, Cutout]:
     """Cutouts of all parts, by part id; creases are those of their pieces, at flaps too."""
-    folds: dict[str, list[FloatArray]] = {name: [] for name in layout.parts}
-    for piece in layout.pieces:
-        for fold in piece.folds:
-            if fold.crease is Crease.NONE:
-                continue
-            for name in fold.joint.parts:
-                if name in piece.motions:
-                    inverse = np.linalg.inv(piece.motions[name])
-                    folds[name].append(fold.ends @ inverse[:2, :2].T + inverse[:2, 2])
-    return {name: cutout(part.polygon, folds[name]) for name, part in layout.parts.items()}
+    return {name: cutout(part.polygon, _folds(layout.piece_of[name], part)) for name, part in layout.parts.items()}
+
+
+def _folds(piece: Piece, part: Part) -> list[FloatArray]:
+    """The folds of a piece at one of its parts, in the part's flat coordinates, each (2, 2)."""
+    import shapely
+
+    back, near = inverse(piece.motions[part.id]), part.polygon.buffer(BESIDE)
+    lines = [move(back, fold.ends) for fold in piece.folds if part.id in fold.joint.parts]
+    return [line for line in lines if near.contains(shapely.LineString(line))]
 
 
 def flap_cutout(flap: Flap) -> Cutout:
     """Cutout of a flap, in the flat coordinates of its carrier."""
     return cutout(flap.polygon, [flap.line])
-
-
-def glued_side(flap: Flap, target: Part) -> FloatArray:
-    """Unit normal (3,), in the open pose, of the face of the target that the flap is glued to."""
-    return target.plane.normal * (1.0 if flap.face is Face.PRINTED else -1.0)

@@ -52,7 +52,7 @@ class Draughtsman:
         yield Area(Ink.ARROW, (middle + np.array([[-1.6, -3.0], [1.8, 0.0], [-1.6, 3.0], [-0.4, 0.0]]),))
 
     def _before(self, step: Step) -> Scenery | None:
-        if step.before is None:
+        if step.before is None or not step.before.poses:
             return None
         new = step.parts or tuple(step.motion)
         names = {part: piece.name for piece in self.eye.layout.pieces for part in piece.motions}
@@ -62,7 +62,7 @@ class Draughtsman:
         return Scenery(sights, ways, named, self.eye.layout.numbers)
 
     def _after(self, step: Step) -> Scenery | None:
-        if step.after is None:
+        if step.after is None or not step.after.poses:
             return None
         return Scenery(self.eye.look(step.after, step.parts or tuple(step.motion)))
 

@@ -41,6 +41,7 @@ def page_of(booklet: Booklet, root: Path) -> str:
         f'<h1>{escape(wording.TITLE)}</h1><p class="name">{escape(booklet.name)}</p>',
         f'<img src="{source}" alt="{escape(booklet.name)}">',
         f"<p>{escape(booklet.facts)}</p>",
+        *([f"<p><strong>{escape(booklet.banner)}</strong></p>"] if booklet.banner is not None else []),
         _listed(wording.NEEDED, wording.TOOLS),
         f"<h2>{escape(wording.LEGEND)}</h2>\n<dl>",
         *(

@@ -34,8 +34,8 @@ OFFSETS = np.array(
 )
 """All places that are tried, from what is named, mm, shape (n, 2)."""
 
-COVERED, AWAY = 6.0, 0.25
-"""What a label costs that lies on the drawing altogether, and per mm of distance."""
+COVERED, CROSSED, AWAY = 6.0, 8.0, 0.25
+"""What a label costs that lies on the drawing altogether, whose line crosses others, and per mm of distance."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -124,12 +124,13 @@ class Labels:
         leaders = shapely.difference(leaders, boxes)
         taken = shapely.union_all(self.taken)
         free = shapely.contains(self.window, boxes) & ~shapely.is_empty(leaders)
-        free &= ~shapely.intersects(taken, boxes) & ~shapely.intersects(taken, leaders)
+        free &= ~shapely.intersects(taken, boxes)
         if not free.any():
             return None
         covered = shapely.area(shapely.intersection(self.drawing, boxes[free])) / box.area
-        away = np.linalg.norm(OFFSETS[free], axis=1)
-        best = np.flatnonzero(free)[int((AWAY * away + COVERED * covered).round(6).argmin())]
+        crossing = shapely.intersects(taken, leaders[free])
+        cost = AWAY * np.linalg.norm(OFFSETS[free], axis=1) + COVERED * covered + CROSSED * crossing
+        best = np.flatnonzero(free)[int(cost.round(6).argmin())]
         return middles[best], shapely.get_coordinates(leaders[best])
 
 

@@ -53,6 +53,9 @@ def _cover(booklet: Booklet, form: Format) -> Column:
     )
     column.skip(8.0)
     column.paragraph(booklet.facts, form.body)
+    if booklet.banner is not None:
+        column.skip(4.0)
+        column.paragraph(booklet.banner, NAME, bold=True)
     return column
 
 

@@ -16,7 +16,13 @@ PICTURE = "popup.png"
 
 
 def write_booklet(
-    plan: AssemblyPlan, design: Design, folder: Path, *, name: str, checks: tuple[str, ...] = ()
+    plan: AssemblyPlan,
+    design: Design,
+    folder: Path,
+    *,
+    name: str,
+    banner: str | None = None,
+    checks: tuple[str, ...] = (),
 ) -> tuple[Path, ...]:
     """Write `popup.png`, `instructions.pdf` and `instructions.html`; the same input gives the same bytes.
 
@@ -30,6 +36,8 @@ def write_booklet(
         Where the textures of the design are, and where the files go; existing ones are overwritten.
     name:
         Of the model.
+    banner:
+        A warning on the cover, or None.
     checks:
         What to look at when it is done, one sentence each.
 
@@ -50,7 +58,7 @@ def write_booklet(
     picture, pdf, html = (folder / file for file in (PICTURE, f"{NAME}.pdf", f"{NAME}.html"))
     Image.fromarray(open_picture(design, folder, look)).save(picture, format="PNG")
     form = booklet_format(plan.layout.paper)
-    booklet = make_booklet(plan, name, PICTURE, look.width / look.height, form, checks)
+    booklet = make_booklet(plan, name, PICTURE, look.width / look.height, form, banner, checks)
     write_pages(draw_pages(booklet, form), pdf, style=STYLE, texture_root=folder, title=f"{name}: {NAME}")
     html.write_text(page_of(booklet, folder), encoding="utf-8")
     return picture, pdf, html

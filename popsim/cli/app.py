@@ -3,6 +3,7 @@
 import typer
 
 from popsim import __version__
+from popsim.cli.calibration import calibration
 from popsim.cli.design import design
 from popsim.cli.render import render
 from popsim.cli.schema import schema
@@ -32,5 +33,5 @@ def _options(
     pass
 
 
-for command in (design, verify, validate, render, schema):
+for command in (design, verify, validate, calibration, render, schema):
     app.command()(command)

@@ -65,7 +65,8 @@ def design(
     from popsim.layout import LayoutSettings
     from popsim.patches import PatchSettings
     from popsim.pipeline import RunSettings, run_design
-    from popsim.pipeline.deliver import check_folder, deliver
+    from popsim.pipeline.deliver import deliver
+    from popsim.pipeline.folder import check_folder
     from popsim.pipeline.prepare import Stance
     from popsim.units import parse_length
 

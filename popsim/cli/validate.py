@@ -30,7 +30,7 @@ def validate(
     from rich.progress import Progress
 
     from popsim.files import write_text
-    from popsim.pipeline.deliver import check_folder
+    from popsim.pipeline.folder import check_folder
     from popsim.verification.campaign import run_campaign
 
     if output is not None:

@@ -25,6 +25,7 @@ def export(
     banner: str | None = None,
     plan: AssemblyPlan | None = None,
     two_sided: bool = False,
+    notes: tuple[str, ...] = (),
     force: bool = False,
 ) -> tuple[Path, ...]:
     """Write the sheets of a layout; the same input gives the same bytes.
@@ -47,6 +48,8 @@ def export(
         Prints its numbers instead of the layout's own, and its steps after the sheets.
     two_sided:
         Follow each sheet by its mirrored reverse.
+    notes:
+        What to check, on the last sheet where there is room, else on one more.
     force:
         Overwrite existing files.
 
@@ -63,7 +66,7 @@ def export(
     """
     writer, look = find_writer(format), find_style(style)
     layout = layout if plan is None else plan.layout
-    sheets = draw_sheets(layout, footer=footer, banner=banner, two_sided=two_sided)
+    sheets = draw_sheets(layout, footer=footer, banner=banner, two_sided=two_sided, notes=notes)
     if plan is not None:
         sheets += draw_steps(plan)
     try:

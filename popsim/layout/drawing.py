@@ -4,6 +4,7 @@ import numpy as np
 
 from popsim.layout.furniture import furnish
 from popsim.layout.layout import Layout
+from popsim.layout.notes import note_marks, notes_fit
 from popsim.layout.piece_marks import piece_marks, reverse_marks
 from popsim.layout.sheet import Mark, Meaning, Role, Sheet, Text
 
@@ -12,7 +13,12 @@ HEADING = 3.0
 
 
 def draw_sheets(
-    layout: Layout, *, footer: str = "", banner: str | None = None, two_sided: bool = False
+    layout: Layout,
+    *,
+    footer: str = "",
+    banner: str | None = None,
+    two_sided: bool = False,
+    notes: tuple[str, ...] = (),
 ) -> tuple[Sheet, ...]:
     """Draw all sheets of a layout.
 
@@ -25,18 +31,24 @@ def draw_sheets(
     two_sided:
         Follow each sheet by its reverse, mirrored, to be printed on the back of it (flipped on the long edge): the
         places that are glued there stand on it instead of numbers in brackets on the front.
+    notes:
+        What to check: on the last sheet above its pieces where there is room, else on a sheet of their own.
     """
     sheets = []
     for number in range(layout.sheet_count):
         own = [placement for placement in layout.placements if placement.sheet == number]
         title = f"Sheet {number + 1} of {layout.sheet_count}"
         marks = [mark for placement in own for mark in piece_marks(layout, placement, two_sided=two_sided)]
+        if notes and number == layout.sheet_count - 1 and notes_fit(layout, notes):
+            marks += note_marks(layout, notes)
         marks += furnish(layout.paper, layout.settings, title, footer=footer, banner=banner)
         sheets.append(_sheet(layout, title, marks))
         if two_sided:
             width = layout.paper.width
             behind = [mark for placement in own for mark in reverse_marks(layout, placement, width)]
             sheets.append(_sheet(layout, f"{title}, reverse", [*behind, *_headings(layout, title, banner)]))
+    if notes and not notes_fit(layout, notes):
+        sheets.append(_sheet(layout, "Notes", list(note_marks(layout, notes))))
     return tuple(sheets)
 
 

@@ -29,7 +29,8 @@ def test_design_leaves_everything_that_is_promised_and_it_verifies(popsim, block
     assert done.returncode == 0, done.stderr
     assert "PASSED" in done.stdout
     names = {str(path) for path in contents(tmp_path / "out")}
-    assert {"design.json", "report.json", "sheets.pdf", "assembly.md"} <= names
+    assert {"design.json", "report.json", "sheets.pdf", "assembly.md", "popup.png"} <= names
+    assert {"instructions.pdf", "instructions.html"} <= names
     assert any(name.startswith("sheets") and name.endswith(".svg") for name in names)
     design = load_design(tmp_path / "out" / "design.json")
     assert {patch.texture for patch in design.patches if patch.texture} <= names

@@ -1,0 +1,59 @@
+"""What is printed of a design: sheets, booklet, steps in words."""
+
+from pathlib import Path
+
+from popsim.assembly import AssemblyPlan, plan_assembly
+from popsim.booklet import write_booklet
+from popsim.design import Design, dump_design
+from popsim.export import export
+from popsim.layout import lay_out
+from popsim.pipeline.settings import RunSettings
+
+
+def write_prints(
+    design: Design,
+    folder: Path,
+    settings: RunSettings,
+    *,
+    name: str,
+    footer: str,
+    banner: str | None = None,
+    checks: tuple[str, ...] = (),
+) -> tuple[AssemblyPlan, list[Path]]:
+    """Write design, sheets, booklet and steps into a folder that has the textures of the design.
+
+    Parameters
+    ----------
+    name:
+        Of the model, on the cover.
+    footer:
+        What reproduces it, on every sheet.
+    banner:
+        A warning on every sheet and on the cover, or None.
+    checks:
+        What to look at, on the last sheet and at the end of the booklet.
+
+    Returns
+    -------
+    The plan of the assembly, and the files written.
+    """
+    plan = plan_assembly(lay_out(design, paper=settings.paper, settings=settings.layout))
+    made = [folder / "design.json"]
+    made[0].write_text(dump_design(design))
+    for kind in settings.formats:
+        made += export(
+            plan.layout,
+            folder / f"sheets.{kind}",
+            kind,
+            texture_root=folder,
+            style=settings.style,
+            footer=footer,
+            banner=banner,
+            plan=plan,
+            two_sided=settings.two_sided,
+            notes=checks,
+        )
+    made += write_booklet(plan, design, folder, name=name, banner=banner, checks=checks)
+    made.append(folder / "assembly.md")
+    made[-1].write_text(plan.text)
+    return plan, made
