@@ -34,6 +34,7 @@ ROOMS = {
     "OpenGL": {"rendering"},
     "embreex": {"rendering"},
     "reportlab": {"export"},
+    "yaml": {"pipeline"},
     "drawsvg": {"export"},
     "ezdxf": {"export"},
     "typer": {"cli"},

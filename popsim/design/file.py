@@ -53,7 +53,7 @@ def parse_design(content: bytes | str | dict[str, Any], *, name: str = "design")
     try:
         design = Design.model_validate_json(json.dumps(data), strict=True)
     except ValidationError as error:
-        raise DesignError(f"{name}: {_first_problem(error.errors())}") from None
+        raise DesignError(f"{name}: {first_problem(error.errors())}") from None
     try:
         check_rules(design)
     except DesignError as error:
@@ -111,7 +111,8 @@ def _check_head(data: dict[str, Any], name: str) -> None:
             raise DesignError(f"{name}: {field}: {len(data[field])} is more than the {most} that can be handled")
 
 
-def _first_problem(errors: list[Any]) -> str:
+def first_problem(errors: list[Any]) -> str:
+    """Return in words the first of the errors that pydantic lists: field, what is wrong, how many more."""
     first = errors[0]
     field = ""
     for part in first["loc"]:

@@ -198,6 +198,8 @@ def fit(subject: Subject, settings: FitSettings | None = None) -> Fit:
     far = 20 * float(size.max())
     card, least = Card(x=(-far, far), depth=far), THINNEST * float(size.max())
     empty = first_candidate(card, least, settings.wishes, settings.most_patches)
+    if empty.nodes and not settings.wishes.add:
+        return Fit(empty, appearance.likeness(empty.mechanisms), 0.0)
     found: list[tuple[float, int, Candidate, int]] = []
     for founded, (*taste, radius) in [(False, TASTES[0]), *((True, taste) for taste in TASTES)]:
         filled = volume.closed(radius) if radius else volume

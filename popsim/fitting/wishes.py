@@ -54,12 +54,15 @@ class Wishes:
         Regions that no face may reach into, likewise.
     pins:
         Regions in which only one type may stand, likewise.
+    add:
+        Whether anything is added to what is kept.
     """
 
     kept: tuple[Mechanism, ...] = ()
     forbidden: frozenset[str] = frozenset()
     keep_out: tuple[Region, ...] = ()
     pins: tuple[Pin, ...] = ()
+    add: bool = True
 
     def allows(self, mechanism: Mechanism) -> bool:
         """Whether a mechanism that is not kept may be used."""

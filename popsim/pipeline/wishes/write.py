@@ -1,0 +1,67 @@
+"""The wishes file that a run leaves behind: what it chose, to be edited and run again."""
+
+from collections.abc import Sequence
+from typing import Any
+
+from popsim.design import Source
+from popsim.mechanisms import Mechanism
+from popsim.pipeline.wishes.model import FORMAT, VERSION
+
+HEAD = """\
+# What popsim chose. Edit it, then run:
+#   {command} --wishes wishes.yaml
+# keep: mechanisms that stay exactly as they are here. Change a number; delete an entry and all that stands on it.
+# add: true lets popsim add mechanisms to what is kept.
+# forbid: types of mechanisms, for example [v-fold-1, step-fold].
+# keep_out: regions that stay free, for example [{{x: [-20, 10], z: [40, 90]}}], mm in the open card:
+#   x along the fold, y towards the ground page, z up.
+# pin: types for regions, for example [{{type: tent-fold, region: {{x: [0, 50]}}}}].
+"""
+
+
+def wishes_text(
+    mechanisms: Sequence[Mechanism], *, size: float, most_patches: int, source: Source, command: str
+) -> str:
+    """Return the file that keeps all `mechanisms` and adds nothing: the same run again.
+
+    Parameters
+    ----------
+    mechanisms:
+        Bases before what stands on them.
+    size:
+        Longest side of the model, mm.
+    most_patches, source, command:
+        Of the run.
+    """
+    import yaml
+
+    fields: dict[str, Any] = {
+        "format": FORMAT,
+        "version": VERSION,
+        "source": source.model_dump(mode="json"),
+        "size": f"{size!r}mm",
+        "most_patches": most_patches,
+        "add": False,
+        "forbid": [],
+        "keep_out": [],
+        "pin": [],
+        "keep": [_entry(mechanism) for mechanism in mechanisms],
+    }
+    body: str = yaml.safe_dump(fields, sort_keys=False, default_flow_style=None, width=110, allow_unicode=True)
+    return HEAD.format(command=command) + body
+
+
+def _entry(mechanism: Mechanism) -> dict[str, Any]:
+    return {
+        "id": mechanism.id,
+        "type": mechanism.type,
+        "base": list(mechanism.pair.patches),
+        "parameters": {name: _plain(value) for name, value in mechanism.parameters().items()},
+    }
+
+
+def _plain(value: Any) -> Any:
+    """Tuples, named or not, as lists; numbers of numpy as Python's."""
+    if isinstance(value, tuple):
+        return [_plain(part) for part in value]
+    return value.item() if hasattr(value, "item") else value
