@@ -1,4 +1,4 @@
-"""Lengths as people write them; inside popsim they are millimetres."""
+"""Lengths and colours as people write them; inside popsim they are millimetres and #rrggbb."""
 
 import math
 import re
@@ -21,3 +21,22 @@ def parse_length(text: str, name: str) -> float:
     if not (math.isfinite(value) and value > 0):
         raise InputError(f"{name}: {text!r} is not a length; write for example 150mm, 15cm or 6in")
     return value
+
+
+def parse_colour(text: str, name: str) -> str:
+    """Return a colour as #rrggbb; names of CSS are known.
+
+    Raises
+    ------
+    InputError
+        The text is no opaque colour.
+    """
+    from PIL import ImageColor
+
+    try:
+        parts = ImageColor.getrgb(text.strip())
+    except ValueError:
+        parts = ()
+    if len(parts) != 3:
+        raise InputError(f"{name}: {text!r} is not a colour; write for example #aa3311 or navy")
+    return "#" + "".join(f"{part:02x}" for part in parts)

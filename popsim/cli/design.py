@@ -10,6 +10,10 @@ if TYPE_CHECKING:
     from popsim.pipeline import DesignRun, RunSettings
 
 
+SPARE = 0.5
+"""mm by which pictures are larger than what is shown of them: nothing ends at the border of an image."""
+
+
 class Fold(StrEnum):
     """Along which side the central fold runs."""
 
@@ -50,6 +54,11 @@ def design(
     grain: Annotated[bool, typer.Option("--grain", help="Keep the direction of the paper's grain.")] = False,
     registration: Annotated[str, typer.Option(help="Marks for a cutting machine: none or silhouette.")] = "none",
     dpi: Annotated[float, typer.Option(help="Resolution of the prints.")] = 300.0,
+    base: Annotated[str, typer.Option(help="What the pages show: none, outline or print.")] = "outline",
+    bleed: Annotated[str, typer.Option(help="How far prints reach beyond cuts and folds.")] = "1mm",
+    reverse: Annotated[
+        str | None, typer.Option(metavar="COLOUR", help="Of the side of the paper that is not printed.")
+    ] = None,
     seed: Annotated[int, typer.Option(help="Of everything random; the report states it.")] = 0,
     allow_unverified: Annotated[
         bool, typer.Option("--allow-unverified", help="Export even what does not fold, every sheet marked.")
@@ -65,21 +74,22 @@ def design(
     from popsim.layout import LayoutSettings
     from popsim.patches import PatchSettings
     from popsim.pipeline import RunSettings, run_design
-    from popsim.pipeline.deliver import deliver
-    from popsim.pipeline.folder import check_folder
+    from popsim.pipeline.deliver import check_folder, deliver
     from popsim.pipeline.prepare import Stance
-    from popsim.units import parse_length
+    from popsim.units import parse_colour, parse_length
 
+    bled = parse_length(bleed, "--bleed")
+    behind = None if reverse is None else parse_colour(reverse, "--reverse")
     folder = output or Path(f"{model.stem}-popup")
     settings = RunSettings(
         stance=Stance(up, front, align, fold.value),
         fit=FitSettings(detail=detail, most_patches=max_patches),
-        patches=PatchSettings(dpi=dpi),
+        patches=PatchSettings(dpi=dpi, base=base, bleed=bled + SPARE, reverse=behind),
         size=150.0 if size is None else parse_length(size, "--size"),
         exact_size=size is not None,
         paper=paper,
         style=style,
-        layout=LayoutSettings(grain=grain, registration=registration),
+        layout=LayoutSettings(grain=grain, registration=registration, bleed=bled),
         two_sided=two_sided,
         formats=tuple(dict.fromkeys(format or ("pdf", "svg"))),
         seed=seed,
@@ -106,6 +116,9 @@ def _command(model: Path, settings: "RunSettings") -> str:
     if settings.exact_size:
         words.append(f"--size {settings.size:g}mm")
     words += [f"--detail {settings.fit.detail:g}", f"--max-patches {settings.fit.most_patches}"]
+    words += [f"--base {settings.patches.base}", f"--bleed {settings.layout.bleed:g}mm"]
+    if settings.patches.reverse:
+        words.append(f"--reverse '{settings.patches.reverse}'")
     words += [f"--paper '{settings.paper}'", f"--dpi {settings.patches.dpi:g}", f"--seed {settings.seed}"]
     return " ".join(words)
 

@@ -42,11 +42,15 @@ class Source(_Model):
 
 
 class Card(_Model):
-    """The two pages: x extent along the central fold, depth from the fold to the far edges, paper thickness."""
+    """The two pages: x extent along the central fold, depth from the fold to the far edges, paper thickness.
+
+    `reverse` is the colour of the side of all paper that is not printed, as #rrggbb; None for plain paper.
+    """
 
     x: tuple[float, float]
     depth: Millimetres
     thickness: Annotated[float, Field(ge=0)] = 0.25
+    reverse: Annotated[str, Field(pattern="^#[0-9a-f]{6}$")] | None = None
 
 
 class TextureFrame(_Model):

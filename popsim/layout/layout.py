@@ -108,7 +108,7 @@ def _place(
     pieces: tuple[Piece, ...], room: tuple[float, float], settings: LayoutSettings
 ) -> tuple[Placement, ...]:
     names = [piece.name for piece in pieces]
-    places = nest([piece.outline for piece in pieces], names, room, settings.gap, settings.grain)
+    places = nest([piece.outline for piece in pieces], names, room, settings.apart, settings.grain)
     corner = flat_motion(0.0, settings.corner)
     return tuple(
         Placement(piece, place.sheet, corner @ place.motion) for piece, place in zip(pieces, places, strict=True)

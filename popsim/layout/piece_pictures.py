@@ -15,9 +15,6 @@ if TYPE_CHECKING:
 
 from popsim.geometry.arrays import FloatArray
 
-BLEED = 1.0
-"""mm of picture beyond the outline of its part, so that a cut beside the line leaves no white."""
-
 UNDERLAP = 0.5
 """mm of picture under the rim of what is glued onto it, so that no white shows beside it; the rest is for glue."""
 
@@ -27,7 +24,7 @@ def pictures(layout: Layout, placement: Placement) -> Iterator[Picture]:
     import shapely
 
     piece = placement.piece
-    bleed = min(BLEED, layout.settings.gap / 2)
+    bleed = layout.settings.bleed
     motions = {name: placement.motion @ motion for name, motion in piece.motions.items()}
     moved = {name: move_shape(motion, layout.parts[name].polygon) for name, motion in motions.items()}
     for name, motion in motions.items():

@@ -23,6 +23,8 @@ class LayoutSettings:
         White border that printers cannot reach.
     gap:
         Least distance between two pieces on a sheet.
+    bleed:
+        How far pictures reach beyond the outline, so that a cut beside the line leaves no white.
     flap_depth:
         Of a flap where nothing is in its way; never more than half its edge.
     seam_depth:
@@ -37,6 +39,7 @@ class LayoutSettings:
 
     margin: float = 8.0
     gap: float = 2.0
+    bleed: float = 1.0
     flap_depth: float = 5.0
     seam_depth: float = 10.0
     split: bool = True
@@ -49,9 +52,16 @@ class LayoutSettings:
             if not 0 < value <= 50:
                 raise LayoutError(f"{name} must lie above 0 and up to 50 mm, not {value:g}")
 
+        if not 0 <= self.bleed <= 5:
+            raise LayoutError(f"bleed must lie between 0 and 5 mm, not {self.bleed:g}")
         if self.registration not in REGISTRATIONS:
             known = ", ".join(REGISTRATIONS)
             raise LayoutError(f"registration marks {self.registration!r} are not known; give {known}")
+
+    @property
+    def apart(self) -> float:
+        """Least distance between two pieces on a sheet, mm: the gap, or room for the bleed of both."""
+        return max(self.gap, 2 * self.bleed)
 
     @property
     def border(self) -> float:

@@ -2,24 +2,20 @@
 
 from collections.abc import Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from popsim.errors import GeometryError
-from popsim.geometry.arrays import FloatArray, locked
+from popsim.design import BACKDROP_ID, GROUND_ID, Card
+from popsim.geometry.arrays import FloatArray
 from popsim.geometry.surface import Surface
 from popsim.mechanisms import Mechanism, Shape
-from popsim.patches.clean import common, cuttable
-from popsim.patches.corners import clear_corners
-from popsim.patches.crossing import Meeting, uncross
-from popsim.patches.hold import hold
-from popsim.patches.one_piece import finished
-from popsim.patches.piece import Piece, pieces_of
+from popsim.mechanisms.assemble import page_outline
+from popsim.patches.cut import Cut, cut
+from popsim.patches.piece import Piece
 from popsim.patches.settings import PatchSettings
 from popsim.patches.texture import Print, print_of
-from popsim.patches.wanted import see
 from popsim.rendering.parallel import THREADS
 from popsim.rendering.ray_scene import RayScene
 
@@ -94,47 +90,38 @@ def paint(
     """
     settings = settings or PatchSettings()
     scene = surface if isinstance(surface, RayScene) else RayScene(surface)
-    pieces: dict[str, Piece] = {}
-    for mechanism in mechanisms:
-        box = _territory(mechanism, territories)
-        pieces |= {piece.id: piece for piece in pieces_of(mechanism, box, settings)}
-    clear_corners(mechanisms, pieces)
-    for piece in pieces.values():
-        see(scene, piece, settings)
-        piece.shape = cuttable(piece.shape, piece.room, settings)
-    coverage = {mechanism.id: _coverage(mechanism, pieces) for mechanism in mechanisms}
-    notes = _joined(mechanisms, pieces, settings)
-    outlines: dict[str, Polygon] = {}
+    return paint_cut(cut(mechanisms, scene, territories, settings), scene, settings, prints=prints)
+
+
+def paint_cut(found: Cut, scene: RayScene, settings: PatchSettings, *, prints: bool = True) -> Painted:
+    """Paint patches that are cut already; parameters as of :func:`paint`."""
+    pieces, outlines = found.pieces, found.outlines
+    images = _prints(scene, pieces, outlines, settings) if prints else {}
+    shapes = {}
     for name, piece in pieces.items():
-        outlines[name], own = finished(piece, settings)
-        notes += own
-    seen = _prints(scene, pieces, outlines, settings) if prints else {}
-    return _painted(pieces, outlines, seen, notes, coverage)
+        outline, image = outlines[name], images.get(name)
+        rings = [piece.plane.lift(np.array(ring.coords)[:-1]) for ring in (outline.exterior, *outline.interiors)]
+        path = None if image is None else _path(name)
+        shapes[name] = Shape(rings[0], tuple(rings[1:]), path, None if image is None else image.frame)
+    return Painted(
+        shapes=shapes,
+        images={_path(name): image.png for name, image in images.items()},
+        notes=found.notes,
+        renderer=RENDERER,
+        cut_length=float(sum(outline.length for outline in outlines.values())),
+        vertices=sum(len(s.outline) + sum(len(hole) for hole in s.holes) for s in shapes.values()),
+        coverage=found.coverage,
+    )
 
 
-def _territory(mechanism: Mechanism, territories: Mapping[str, FloatArray]) -> FloatArray:
-    if mechanism.id not in territories:
-        raise GeometryError(f"{mechanism.id} has no territory; give the box of space whose model it shows")
-    return locked(territories[mechanism.id], (2, 3), f"territory of {mechanism.id}")
-
-
-def _coverage(mechanism: Mechanism, pieces: Mapping[str, Piece]) -> float:
-    shown = [pieces[mechanism.patch_id(plate.role)] for plate in mechanism.plates() if plate.principal]
-    seen = sum(common(piece.shape, piece.face).area for piece in shown)
-    return float(seen / sum(piece.face.area for piece in shown))
-
-
-def _joined(mechanisms: Sequence[Mechanism], pieces: Mapping[str, Piece], settings: PatchSettings) -> list[str]:
-    """Paper for all hinges, and no two patches through each other; returns notes."""
-    meetings: dict[str, Meeting] = {}
-    for mechanism in mechanisms:
-        for joint in mechanism.joints():
-            names = [mechanism.patch_id(role) for role in joint.roles]
-            found = [pieces[name] for name in names if name in pieces]
-            meetings[" and ".join(names)] = Meeting(joint.axis, found)
-    uncross(list(meetings.values()))
-    reached = {names: hold(meeting.runs(), settings) for names, meeting in meetings.items()}
-    return [f"{names}: strips of the face reach for their hinge" for names, strips in reached.items() if strips]
+def with_base(painted: Painted, prints: Mapping[str, Print], card: Card) -> Painted:
+    """The same with prints on ground and backdrop."""
+    signs = {GROUND_ID: 1, BACKDROP_ID: -1}
+    shapes = {
+        name: Shape(page_outline(card, signs[name]), (), _path(name), each.frame) for name, each in prints.items()
+    }
+    images = {_path(name): each.png for name, each in prints.items()}
+    return replace(painted, shapes={**shapes, **painted.shapes}, images={**images, **painted.images})
 
 
 def _prints(
@@ -145,30 +132,6 @@ def _prints(
     with ThreadPoolExecutor(THREADS) as pool:  # rays, filters and compression free the interpreter
         found = pool.map(lambda piece: print_of(scene, piece, outlines[piece.id], settings), shown)
         return {piece.id: image for piece, image in zip(shown, found, strict=True) if image is not None}
-
-
-def _painted(
-    pieces: Mapping[str, Piece],
-    outlines: Mapping[str, "Polygon"],
-    prints: Mapping[str, Print],
-    notes: list[str],
-    coverage: Mapping[str, float],
-) -> Painted:
-    shapes = {}
-    for name, piece in pieces.items():
-        outline, image = outlines[name], prints.get(name)
-        rings = [piece.plane.lift(np.array(ring.coords)[:-1]) for ring in (outline.exterior, *outline.interiors)]
-        path = None if image is None else _path(name)
-        shapes[name] = Shape(rings[0], tuple(rings[1:]), path, None if image is None else image.frame)
-    return Painted(
-        shapes=shapes,
-        images={_path(name): image.png for name, image in prints.items()},
-        notes=tuple(notes),
-        renderer=RENDERER,
-        cut_length=float(sum(outline.length for outline in outlines.values())),
-        vertices=sum(len(s.outline) + sum(len(hole) for hole in s.holes) for s in shapes.values()),
-        coverage=coverage,
-    )
 
 
 def _path(name: str) -> str:

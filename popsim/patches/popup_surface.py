@@ -14,10 +14,13 @@ from popsim.geometry.rigid import transform
 from popsim.geometry.surface import Material, Surface
 
 PAPER = Material(np.array([0.95, 0.94, 0.92, 1.0]))
-"""The reverse of patches, and patches without a print."""
+"""Paper without a print, and its reverse where the card does not say otherwise."""
 
 PAGE = Material(np.array([0.80, 0.84, 0.80, 1.0]))
 """Ground and backdrop without a print: darker, so that white models stand out."""
+
+REVERSE = 2
+"""Index of the material of what is not printed."""
 
 Textures = Path | Mapping[str, bytes]
 
@@ -44,28 +47,42 @@ def popup_surface(
         A texture is missing or no image.
     """
     patches = design.patches if pages else design.popup_patches
-    materials: list[Material] = [PAPER, PAGE]
+    materials: list[Material] = [PAPER, PAGE, _reverse(design)]
     triangles, uvs, indices = [], [], []
     for patch in patches:
         corners = _triangles(patch)
-        front, back = _sides(patch)
+        front = _bare(patch)
         uv = np.zeros((len(corners), 3, 2))
         if patch.texture is not None and patch.texture_frame is not None:
             front = len(materials)
-            materials.append(Material(np.ones(4), _image(patch.texture, textures)))
+            materials.append(Material(_ground(patch), _image(patch.texture, textures)))
             uv, printed = _printed(patch, corners)
             corners, uv = (corners, uv) if printed else (corners[:, ::-1], uv[:, ::-1])
         if poses is not None:
             corners = transform(poses[patch.id], corners.reshape(-1, 3)).reshape(-1, 3, 3)
         triangles += [corners, corners[:, ::-1]]
         uvs += [uv, np.zeros_like(uv)]
-        indices += [np.full(len(corners), front), np.full(len(corners), back)]
+        indices += [np.full(len(corners), front), np.full(len(corners), REVERSE)]
     return Surface(np.concatenate(triangles), np.concatenate(uvs), np.concatenate(indices), tuple(materials))
 
 
-def _sides(patch: Patch) -> tuple[int, int]:
-    """Materials of front and back of a patch without a print."""
-    return (1, 1) if patch.id in (GROUND_ID, BACKDROP_ID) else (0, 0)
+def _reverse(design: Design) -> Material:
+    """The side of the paper that is not printed."""
+    from PIL import ImageColor
+
+    if design.card.reverse is None:
+        return PAPER
+    return Material(np.array([*ImageColor.getrgb(design.card.reverse), 255]) / 255)
+
+
+def _bare(patch: Patch) -> int:
+    """Index of the material of a patch without a print."""
+    return 1 if patch.id in (GROUND_ID, BACKDROP_ID) else 0
+
+
+def _ground(patch: Patch) -> FloatArray:
+    """What the colours of a print are multiplied by, shape (4,): pages show their paper, patches the model."""
+    return PAPER.colour if patch.id in (GROUND_ID, BACKDROP_ID) else np.ones(4)
 
 
 def _triangles(patch: Patch) -> FloatArray:

@@ -6,6 +6,9 @@ from popsim.errors import InputError
 
 MM_PER_INCH = 25.4
 
+BASES = ("none", "outline", "print")
+"""What may be printed on ground and backdrop: nothing, a line around what stands there, or what lies there."""
+
 
 @dataclass(frozen=True)
 class PatchSettings:
@@ -27,6 +30,10 @@ class PatchSettings:
         A hinge holds where it has this share of its line and this length, mm (or all of a shorter line).
     bleed:
         How far the print reaches beyond the cut, mm.
+    base:
+        What is printed on ground and backdrop, one of :data:`BASES`.
+    reverse:
+        Colour of the side of the paper that is not printed, as #rrggbb; None for plain paper.
     within_face:
         Ids of patches that must stay within their faces: what verification found in the way.
     """
@@ -39,6 +46,8 @@ class PatchSettings:
     least_share: float = 0.25
     least_length: float = 6.0
     bleed: float = 1.5
+    base: str = "outline"
+    reverse: str | None = None
     within_face: frozenset[str] = field(default_factory=frozenset)
 
     def __post_init__(self) -> None:
@@ -52,6 +61,9 @@ class PatchSettings:
                 f"a hinge needs a share in (0, 1] and a bleed of at least 0 mm, not {self.least_share:g} and "
                 f"{self.bleed:g}"
             )
+
+        if self.base not in BASES:
+            raise InputError(f"the base pages can show {', '.join(BASES)}, not {self.base!r}")
 
     @property
     def print_pixel(self) -> float:

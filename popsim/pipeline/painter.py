@@ -7,7 +7,10 @@ from popsim.design import Design, Source
 from popsim.fitting import Fit
 from popsim.geometry.arrays import FloatArray
 from popsim.mechanisms import assemble
-from popsim.patches import Painted, PatchSettings, paint
+from popsim.patches import Painted, PatchSettings
+from popsim.patches.base_page import base_prints
+from popsim.patches.cut import Cut, cut
+from popsim.patches.paint import paint_cut, with_base
 from popsim.pipeline.page import fitting_card
 from popsim.pipeline.prepare import Prepared
 from popsim.pipeline.territory import territories
@@ -28,16 +31,22 @@ class Painter:
         self.prepared, self.fit, self.settings, self.path = prepared, fit, settings, path
         self.scene = RayScene(prepared.surface)
         self.territories = territories(fit.mechanisms, prepared.bounds)
+        self._cuts: dict[Held, Cut] = {}
         self.everything: Held = frozenset(m.patch_id(p.role) for m in fit.mechanisms for p in m.plates())
 
     def make(self, held: Held, *, prints: bool) -> tuple[Painted, Design]:
         """Patches and design with the patches in `held` kept within their faces, with or without prints."""
         chosen = replace(self.settings, within_face=held)
-        painted = paint(self.fit.mechanisms, self.scene, self.territories, chosen, prints=prints)
+        if held not in self._cuts:
+            self._cuts[held] = cut(self.fit.mechanisms, self.scene, self.territories, chosen)
+        painted = paint_cut(self._cuts[held], self.scene, chosen, prints=prints)
         outlines: dict[str, FloatArray] = {name: shape.outline for name, shape in painted.shapes.items()}
+        card = fitting_card(self.fit.mechanisms, outlines).model_copy(update={"reverse": chosen.reverse})
+        if prints:
+            painted = with_base(painted, base_prints(self.scene, card, self.fit.mechanisms, chosen), card)
         a, b, c, d = (tuple(float(value) for value in row) for row in self.prepared.to_card)
         design = assemble(
-            fitting_card(self.fit.mechanisms, outlines),
+            card,
             self.fit.mechanisms,
             painted.shapes,
             source=Source(file=self.path.name, sha256=self.prepared.model.sha256),

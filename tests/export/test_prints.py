@@ -8,9 +8,11 @@ from printed_design import Printed
 from shapely.geometry import LineString, Polygon
 
 from popsim.geometry.flat import move_shape
-from popsim.layout import Face, draw_sheets
-from popsim.layout.piece_pictures import BLEED, UNDERLAP
+from popsim.layout import Face, LayoutSettings, draw_sheets
+from popsim.layout.piece_pictures import UNDERLAP
 from popsim.layout.sheet import Line, Picture, Role, Sheet
+
+BLEED = LayoutSettings().bleed
 
 
 def area(picture: Picture) -> Polygon:

@@ -86,3 +86,11 @@ def test_missing_and_broken_textures_are_named(pair, tmp_path):
         popup_surface(design, {})
     with pytest.raises(InputError, match="not an image"):
         popup_surface(design, dict.fromkeys(images, b"no picture"))
+
+
+def test_the_reverse_has_the_colour_of_the_card(pair):
+    _, design, images = pair
+    blue = design.model_copy(update={"card": design.card.model_copy(update={"reverse": "#204080"})})
+    inside = View(np.array([0, 1.0, 0]), np.array([0, 0, 1.0]), np.array([0, -15.0, 0]), (-20, 5), (40, 30), 2)
+    maps = render_maps(popup_surface(blue, images, pages=False), inside, near=0, shading="flat")
+    assert (maps.colour[..., :3] == (32, 64, 128)).all()

@@ -1,0 +1,98 @@
+"""From mechanisms and a model to the outlines of patches (Sec. 4.3)."""
+
+from collections.abc import Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from popsim.errors import GeometryError
+from popsim.geometry.arrays import FloatArray, locked
+from popsim.mechanisms import Mechanism
+from popsim.patches.clean import common, cuttable
+from popsim.patches.corners import clear_corners
+from popsim.patches.crossing import Meeting, uncross
+from popsim.patches.hold import hold
+from popsim.patches.one_piece import finished
+from popsim.patches.piece import Piece, pieces_of
+from popsim.patches.settings import PatchSettings
+from popsim.patches.wanted import see
+from popsim.rendering.parallel import THREADS
+from popsim.rendering.ray_scene import RayScene
+
+if TYPE_CHECKING:
+    from shapely.geometry import Polygon
+
+
+@dataclass(frozen=True, eq=False)
+class Cut:
+    """Outlines of patches, before anything is printed on them.
+
+    Attributes
+    ----------
+    pieces:
+        The plates they were cut from, by patch id.
+    outlines:
+        In the flat coordinates of the pieces, by patch id.
+    notes:
+        What had to be added or left out, one sentence each.
+    coverage:
+        As in :class:`popsim.patches.paint.Painted`.
+    """
+
+    pieces: Mapping[str, Piece]
+    outlines: Mapping[str, "Polygon"]
+    notes: tuple[str, ...]
+    coverage: Mapping[str, float]
+
+
+def cut(
+    mechanisms: Sequence[Mechanism],
+    scene: RayScene,
+    territories: Mapping[str, FloatArray],
+    settings: PatchSettings,
+) -> Cut:
+    """Cut the patches of mechanisms after the silhouettes of a model; see :func:`popsim.patches.paint.paint`."""
+    pieces: dict[str, Piece] = {}
+    for mechanism in mechanisms:
+        box = _territory(mechanism, territories)
+        pieces |= {piece.id: piece for piece in pieces_of(mechanism, box, settings)}
+    clear_corners(mechanisms, pieces)
+
+    def find(piece: Piece) -> None:
+        see(scene, piece, settings)
+        piece.shape = cuttable(piece.shape, piece.room, settings)
+
+    with ThreadPoolExecutor(THREADS) as pool:  # rays and overlays free the interpreter
+        list(pool.map(find, pieces.values()))
+    coverage = {mechanism.id: _coverage(mechanism, pieces) for mechanism in mechanisms}
+    notes = _joined(mechanisms, pieces, settings)
+    outlines: dict[str, Polygon] = {}
+    for name, piece in pieces.items():
+        outlines[name], own = finished(piece, settings)
+        notes += own
+    return Cut(pieces, outlines, tuple(notes), coverage)
+
+
+def _territory(mechanism: Mechanism, territories: Mapping[str, FloatArray]) -> FloatArray:
+    if mechanism.id not in territories:
+        raise GeometryError(f"{mechanism.id} has no territory; give the box of space whose model it shows")
+    return locked(territories[mechanism.id], (2, 3), f"territory of {mechanism.id}")
+
+
+def _coverage(mechanism: Mechanism, pieces: Mapping[str, Piece]) -> float:
+    shown = [pieces[mechanism.patch_id(plate.role)] for plate in mechanism.plates() if plate.principal]
+    seen = sum(common(piece.shape, piece.face).area for piece in shown)
+    return float(seen / sum(piece.face.area for piece in shown))
+
+
+def _joined(mechanisms: Sequence[Mechanism], pieces: Mapping[str, Piece], settings: PatchSettings) -> list[str]:
+    """Paper for all hinges, and no two patches through each other; returns notes."""
+    meetings: dict[str, Meeting] = {}
+    for mechanism in mechanisms:
+        for joint in mechanism.joints():
+            names = [mechanism.patch_id(role) for role in joint.roles]
+            found = [pieces[name] for name in names if name in pieces]
+            meetings[" and ".join(names)] = Meeting(joint.axis, found)
+    uncross(list(meetings.values()))
+    reached = {names: hold(meeting.runs(), settings) for names, meeting in meetings.items()}
+    return [f"{names}: strips of the face reach for their hinge" for names, strips in reached.items() if strips]
