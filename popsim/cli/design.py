@@ -45,7 +45,9 @@ def design(
     ] = None,
     detail: Annotated[float, typer.Option(help="0: few patches, 1: many.")] = 0.5,
     max_patches: Annotated[int, typer.Option(help="Never make more patches.")] = 120,
-    paper: Annotated[str, typer.Option(help="A4, A3, Letter, ... or a size as 300x400mm.")] = "A4",
+    paper: Annotated[
+        str, typer.Option(help='Sheet (A4, Letter, 300x400mm), weight (200gsm) or both ("Letter 160gsm").')
+    ] = "A4",
     style: Annotated[str, typer.Option(help="Line style of the sheets.")] = "origami",
     format: Annotated[
         list[str] | None, typer.Option(help="pdf, svg, dxf or fold; may be repeated. By default pdf and svg.")
@@ -74,22 +76,25 @@ def design(
     from popsim.layout import LayoutSettings
     from popsim.patches import PatchSettings
     from popsim.pipeline import RunSettings, run_design
-    from popsim.pipeline.deliver import check_folder, deliver
+    from popsim.pipeline.deliver import deliver
+    from popsim.pipeline.folder import check_folder
     from popsim.pipeline.prepare import Stance
+    from popsim.stock import split_stock
     from popsim.units import parse_colour, parse_length
 
     bled = parse_length(bleed, "--bleed")
     behind = None if reverse is None else parse_colour(reverse, "--reverse")
     folder = output or Path(f"{model.stem}-popup")
+    stock, sheet = split_stock(paper)
     settings = RunSettings(
         stance=Stance(up, front, align, fold.value),
         fit=FitSettings(detail=detail, most_patches=max_patches),
         patches=PatchSettings(dpi=dpi, base=base, bleed=bled + SPARE, reverse=behind),
         size=150.0 if size is None else parse_length(size, "--size"),
         exact_size=size is not None,
-        paper=paper,
+        paper=sheet or "A4",
         style=style,
-        layout=LayoutSettings(grain=grain, registration=registration, bleed=bled),
+        layout=LayoutSettings(grain=grain, registration=registration, bleed=bled, stock=stock),
         two_sided=two_sided,
         formats=tuple(dict.fromkeys(format or ("pdf", "svg"))),
         seed=seed,
@@ -119,7 +124,8 @@ def _command(model: Path, settings: "RunSettings") -> str:
     words += [f"--base {settings.patches.base}", f"--bleed {settings.layout.bleed:g}mm"]
     if settings.patches.reverse:
         words.append(f"--reverse '{settings.patches.reverse}'")
-    words += [f"--paper '{settings.paper}'", f"--dpi {settings.patches.dpi:g}", f"--seed {settings.seed}"]
+    paper = " ".join([settings.paper, *([settings.layout.stock.name] if settings.layout.stock else [])])
+    words += [f"--paper '{paper}'", f"--dpi {settings.patches.dpi:g}", f"--seed {settings.seed}"]
     return " ".join(words)
 
 

@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from popsim.export.job import Job, numbered
-from popsim.export.styles import Colour, Style
+from popsim.export.job import CREASES, Job, numbered
+from popsim.export.styles import Colour
 from popsim.geometry.arrays import FloatArray
 from popsim.layout.sheet import Area, Line, Mark, Meaning, Picture, Role, Sheet, Text
 
@@ -29,12 +29,12 @@ def write_dxf(job: Job, path: Path) -> tuple[Path, ...]:
     for number, sheet in enumerate(job.sheets, 1):
         own = numbered(path, number)
         with _fixed_dates():
-            _document(sheet, job.style).saveas(own)
+            _document(sheet, job).saveas(own)
         written.append(own)
     return tuple(written)
 
 
-def _document(sheet: Sheet, style: Style) -> "Drawing":
+def _document(sheet: Sheet, job: Job) -> "Drawing":
     from ezdxf.filemanagement import new
 
     document = new("R2010")
@@ -42,9 +42,11 @@ def _document(sheet: Sheet, style: Style) -> "Drawing":
     document.header["$MEASUREMENT"] = 1
     document.header["$EXTMIN"], document.header["$EXTMAX"] = (0, 0, 0), (sheet.width, sheet.height, 0)
     for role in Role:
-        stroke = style.stroke(role)
+        stroke = job.style.stroke(role)
         layer = document.layers.add(role.value, true_color=_true_colour(stroke.colour))
         layer.dxf.lineweight = _line_weight(stroke.width)
+        if job.crease_advice and role in CREASES:
+            layer.description = job.crease_advice
         if stroke.dashes:
             document.linetypes.add(role.value, pattern=_pattern(stroke.dashes), description=role.value)
             layer.dxf.linetype = role.value

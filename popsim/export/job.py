@@ -5,7 +5,10 @@ from pathlib import Path
 
 from popsim.export.styles import Style
 from popsim.layout import Layout
-from popsim.layout.sheet import Sheet
+from popsim.layout.sheet import Role, Sheet
+from popsim.stock import CreaseAdvice
+
+CREASES = (Role.MOUNTAIN, Role.VALLEY)
 
 
 @dataclass(frozen=True, eq=False)
@@ -31,6 +34,12 @@ class Job:
     style: Style
     texture_root: Path
     title: str
+
+    @property
+    def crease_advice(self) -> CreaseAdvice | None:
+        """How creases are prepared in the paper that was named, None where none was."""
+        stock = self.layout.settings.stock
+        return None if stock is None else stock.crease_advice
 
 
 def numbered(path: Path, number: int) -> Path:

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from popsim.export.job import Job, numbered
+from popsim.export.job import CREASES, Job, numbered
 from popsim.export.styles import WHITE, Colour, Style
 from popsim.export.textures import packed_texture
 from popsim.geometry.arrays import FloatArray
@@ -22,28 +22,28 @@ def write_svg(job: Job, path: Path) -> tuple[Path, ...]:
     written = []
     for number, sheet in enumerate(job.sheets, 1):
         own = numbered(path, number)
-        own.write_text(
-            _drawing(sheet, job.style, job.texture_root, f"{job.title}, {sheet.name}"), encoding="utf-8"
-        )
+        own.write_text(_drawing(sheet, job), encoding="utf-8")
         written.append(own)
     return tuple(written)
 
 
-def _drawing(sheet: Sheet, style: Style, texture_root: Path, title: str) -> str:
+def _drawing(sheet: Sheet, job: Job) -> str:
     import drawsvg
 
     namespaces = {"xmlns:inkscape": "http://www.inkscape.org/namespaces/inkscape"}
     drawing = drawsvg.Drawing(sheet.width, sheet.height, **namespaces)
     drawing.set_render_size(f"{_number(sheet.width)}mm", f"{_number(sheet.height)}mm")
-    drawing.append_title(title)
+    drawing.append_title(f"{job.title}, {sheet.name}")
     for role in Role:
         marks = sheet.of(role)
         if not marks:
             continue
         layer = drawsvg.Group(id=role.value)
         layer.args |= {"inkscape:groupmode": "layer", "inkscape:label": role.value}
+        if job.crease_advice and role in CREASES:
+            layer.args["data-crease"] = job.crease_advice
         for index, mark in enumerate(marks):
-            _draw(layer, mark, style, sheet, texture_root, f"{role.value}-{index}")
+            _draw(layer, mark, job.style, sheet, job.texture_root, f"{role.value}-{index}")
         drawing.append(layer)
     text: str = drawing.as_svg(randomize_ids=False)
     return text

@@ -9,7 +9,7 @@ from popsim.geometry.arrays import FloatArray
 from popsim.geometry.flat import common, inverse, left_of, move, move_shape, without
 from popsim.layout.contact import BESIDE, Contact, contacts
 from popsim.layout.flap import Flap
-from popsim.layout.flap_shape import APART, CLEARANCE, crease_span, tab, trapezoid, trimmed
+from popsim.layout.flap_shape import APART, crease_span, tab, trapezoid, trimmed
 from popsim.layout.folding import into
 from popsim.layout.joints import Joint
 from popsim.layout.nets import Net
@@ -70,7 +70,7 @@ class Bench:
         self, choices: tuple[Site, ...], depths: Mapping[str, float], settings: LayoutSettings
     ) -> Flap | None:
         """The best flap among `choices`, which then takes up its room; None where nothing of use fits."""
-        for form, clearance in ((trapezoid, CLEARANCE), (tab, CLEARANCE / 5)):
+        for form, clearance in ((trapezoid, settings.clearance), (tab, settings.clearance / 5)):
             options = []
             for order, site in enumerate(choices):
                 deep = site.joint.hinge is None or site.joint.hinge.kind == "central"

@@ -10,8 +10,8 @@ if TYPE_CHECKING:
     from shapely.geometry import Polygon
     from shapely.geometry.base import BaseGeometry
 
-CLEARANCE = 0.5
-"""mm; a flap stays this far inside the outline of its target and off other lines: cutting by hand errs less."""
+INSET = 0.5
+"""mm; how far the ends of a flap stay clear of the ends of its edge."""
 
 APART = 0.3
 """mm; a flap keeps this distance from other paper of its own piece, so that scissors can go between."""
@@ -39,7 +39,7 @@ def trapezoid(length: float, depth: float) -> "Polygon":
     """
     from shapely.geometry import Polygon
 
-    inset = min(CLEARANCE, length / 10)
+    inset = min(INSET, length / 10)
     depth = min(depth, BLUNT * (length - 2 * inset))
     rise = [(inset, 0.0), (length - inset, 0.0), (length - inset - depth, depth), (inset + depth, depth)]
     return Polygon(rise)
@@ -58,7 +58,7 @@ def trimmed(flap: "Polygon", blocked: "BaseGeometry", allowed: "BaseGeometry") -
 
     sliver = min(SLIVER, flap.bounds[3] / 5)
     rest = without(common(flap, allowed), blocked)
-    rest = common(rest.buffer(-sliver, join_style="mitre").buffer(sliver, join_style="mitre"), flap)
+    rest = common(rest.buffer(-sliver, join_style="mitre").buffer(sliver, join_style="mitre"), rest)
     shapes = [_on_edge(piece) for piece in shapely.get_parts(rest) if piece.geom_type == "Polygon"]
     useful = [shape for shape in shapes if shape is not None and hold(shape) >= SHORTEST_HOLD]
     return max(useful, key=lambda shape: shape.area, default=None)

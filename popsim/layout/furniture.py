@@ -7,7 +7,8 @@ import numpy as np
 from popsim.layout.paper import Paper
 from popsim.layout.registration import REGISTRATIONS
 from popsim.layout.settings import HEADER, LayoutSettings
-from popsim.layout.sheet import TEXT_WIDTH, Area, Line, Mark, Role, Text, wrapped
+from popsim.layout.sheet import TEXT_WIDTH, Area, Line, Mark, Role, Text, text_width, wrapped
+from popsim.stock import CreaseAdvice
 
 SMALL = 2.2
 """mm; font size of the legend."""
@@ -28,6 +29,12 @@ LEGEND = (
 
 PLACES = "7: flap 7 goes here; (7): behind here"
 
+ADVICE: dict[CreaseAdvice, str] = {
+    "fold": "fold without scoring",
+    "score": "score each crease before you fold it",
+    "perforate": "cut through the dashes of each crease",
+}
+
 SAMPLE = 11.5
 """mm; what a sample in the legend takes."""
 
@@ -47,9 +54,11 @@ def furnish(
 
 def _head(paper: Paper, settings: LayoutSettings, title: str, banner: str | None) -> Iterator[Mark]:
     y = paper.height - settings.border - HEADER + 1.4
+    if settings.stock is not None:
+        title = f"{settings.stock.name}: {ADVICE[settings.stock.crease_advice]}.  {title}"
     yield Text(Role.LABEL, title, np.array([paper.width - settings.border, y]), TITLE, anchor="end")
     if banner:
-        room = paper.width - 2 * settings.border - 30
+        room = paper.width - 2 * settings.border - text_width(title, TITLE) - 5
         size = min(HEADER - 1, room / max(len(banner), 1) / (TEXT_WIDTH * 1.1))
         yield Text(Role.LABEL, banner, np.array([settings.border, y]), size, bold=True)
 

@@ -15,6 +15,7 @@ from popsim.layout.pieces import Piece, make_pieces
 from popsim.layout.planning import plan_pieces
 from popsim.layout.settings import LayoutSettings
 from popsim.layout.split import divide
+from popsim.layout.thickness import cut_back
 
 
 @dataclass(frozen=True, eq=False)
@@ -91,7 +92,7 @@ def lay_out(design: Design, *, paper: str | Paper = "A4", settings: LayoutSettin
     settings = settings or LayoutSettings()
     paper = paper if isinstance(paper, Paper) else find_paper(paper)
     room = settings.area(paper)
-    listed = divide(design, paper, settings)
+    listed = cut_back(divide(design, paper, settings), design, settings.stock.thickness if settings.stock else 0.0)
     parts = {part.id: part for part in listed}
     joints = find_joints(design, listed)
     nets, flaps = plan_pieces(listed, joints, room, settings)

@@ -9,6 +9,7 @@ from popsim.layout.fitted_text import LEGIBLE, Lettering
 from popsim.layout.flap import Flap
 from popsim.layout.folding import Crease
 from popsim.layout.layout import Layout, Placement
+from popsim.layout.perforation import perforation
 from popsim.layout.piece_pictures import glued, pictures, rings
 from popsim.layout.sheet import Area, Line, Mark, Role, Text
 from popsim.layout.sites import Face
@@ -40,8 +41,13 @@ def piece_marks(layout: Layout, placement: Placement, *, two_sided: bool) -> Ite
         yield Line(Role.CUT, move(placement.motion, np.array(ring.coords)[:-1]), closed=True)
     for slit in piece.slits:
         yield Line(Role.CUT, move(placement.motion, slit))
+    stock = layout.settings.stock
     for fold in piece.folds:
-        yield Line(_CREASES[fold.crease], move(placement.motion, fold.ends))
+        role, ends = _CREASES[fold.crease], move(placement.motion, fold.ends)
+        if stock is not None and stock.crease_advice == "perforate":
+            yield from perforation(role, ends)
+        else:
+            yield Line(role, ends)
     for flap in piece.flaps:
         if flap.crease is Crease.NONE:  # a seam: nothing folds, the line only shows where the other part begins
             yield Line(Role.LABEL, move(placement.motion @ piece.motions[flap.carrier], flap.line))

@@ -5,6 +5,8 @@ from dataclasses import dataclass
 from popsim.layout.errors import LayoutError
 from popsim.layout.paper import Paper
 from popsim.layout.registration import REGISTRATIONS
+from popsim.layout.thickness import KNIFE, USUAL
+from popsim.stock import Stock
 
 FOOTER = 13.0
 """mm above the lower margin kept for legend, scale bar, page number and reproduction line."""
@@ -33,6 +35,8 @@ class LayoutSettings:
         Divide patches too large for the sheet; else they are refused.
     grain:
         Keep the direction of the paper's grain: pieces are turned by half turns only.
+    stock:
+        The paper; None for common paper that needs no advice, with edges as designed.
     registration:
         Marks for a cutting machine, a name in :data:`popsim.layout.registration.REGISTRATIONS`.
     """
@@ -44,6 +48,7 @@ class LayoutSettings:
     seam_depth: float = 10.0
     split: bool = True
     grain: bool = False
+    stock: Stock | None = None
     registration: str = "none"
 
     def __post_init__(self) -> None:
@@ -62,6 +67,11 @@ class LayoutSettings:
     def apart(self) -> float:
         """Least distance between two pieces on a sheet, mm: the gap, or room for the bleed of both."""
         return max(self.gap, 2 * self.bleed)
+
+    @property
+    def clearance(self) -> float:
+        """How far a flap stays inside the outline of its target and off other lines, mm."""
+        return KNIFE + (USUAL if self.stock is None else self.stock.thickness)
 
     @property
     def border(self) -> float:
