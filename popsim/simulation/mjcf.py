@@ -10,7 +10,7 @@ import numpy.typing as npt
 from popsim.design import Design, Patch
 from popsim.geometry.arrays import FloatArray
 from popsim.simulation.forest import PAGES, Forest, TreeJoint
-from popsim.simulation.solver import LOOP_SOLREF, PRELOAD, TIMESTEP
+from popsim.simulation.solver import ITERATIONS, LOOP_SOLREF, PRELOAD, TIMESTEP
 from popsim.simulation.turning import Turn
 
 FREELY = 4 * np.pi
@@ -66,7 +66,7 @@ def options(recipe: Recipe, disabled: str) -> str:
     impedance = f"{recipe.impedance} {recipe.impedance}"
     return (
         f'<option timestep="{TIMESTEP}" gravity="0 0 0" solver="Newton" integrator="implicitfast" '
-        f'tolerance="1e-12" iterations="100"><flag {flags}/></option>'
+        f'tolerance="1e-12" iterations="{ITERATIONS}"><flag {flags}/></option>'
         f'<default><equality solref="{LOOP_SOLREF}" solimp="{impedance}"/>'
         f'<joint solreflimit="{LOOP_SOLREF}" solimplimit="{impedance}"/></default>'
     )

@@ -1,8 +1,8 @@
 """Whether anything moves while the pages are held (Sec. 3.1).
 
 **Free motions** are counted at first order, by the nullity of the loop equations, well away from the flat poses:
-at 180 and 0 degrees their Jacobian drops rank although the structure is rigid to second order, and a structure that
-is loose may lie flat before the card does. **Near the flat poses** the finite test alone decides: all patches are
+at 180 and 0 degrees their Jacobian drops rank although the structure is rigid to second order, and one that is
+loose may lie flat before the card does. **Near the flat poses** the finite test alone decides: all patches are
 pushed, and what moves farther than a structure may is loose.
 """
 

@@ -125,13 +125,20 @@ def fold(rig: Rig, count: int, pacing: Pacing) -> Sweep:
         rig.settle(rest)
         if schedule.is_recorded[leg + 1]:
             states.append(rig.state())
+            if not _sound(states[-1]):
+                break
     return _recorded(rig, schedule.recorded, np.array(states))
 
 
+def _sound(state: FloatArray) -> bool:
+    """Whether joint positions (q,) are numbers, and not those of plates that were flung about."""
+    return bool(np.abs(state).max(initial=0.0) < TORN)
+
+
 def _recorded(rig: Rig, theta: FloatArray, states: FloatArray) -> Sweep:
-    """The sweep up to the first state that holds no numbers any more."""
-    sound = np.isfinite(states).all(axis=1) & (np.abs(states).max(axis=1, initial=0.0) < TORN)
-    count = len(theta) if sound.all() else int(np.argmin(sound))
+    """The sweep up to the last sound one of states (k, q); all but the last are."""
+    count = len(states) if _sound(states[-1]) else len(states) - 1
+    complete = count == len(theta)
     theta, states = theta[:count], states[:count]
     poses = chain_poses(rig, theta, states[:, rig.joint_order])
-    return Sweep(rig.design, theta, poses, states, complete=bool(sound.all()))
+    return Sweep(rig.design, theta, poses, states, complete)

@@ -1,5 +1,7 @@
 """Forces in a pop-up at rest."""
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 
 import numpy as np
@@ -42,6 +44,9 @@ class Balance:
 def balance(rig: Rig, sweep: Sweep, frame: int, wrenches: FloatArray) -> Balance:
     """Let the pop-up carry `wrenches` with its pages held, and measure.
 
+    Where a loop has play, its ends are joined as they are, half-way between them: what the paper gives way with is
+    not known, so no force of it is counted.
+
     Parameters
     ----------
     rig, sweep, frame:
@@ -51,12 +56,35 @@ def balance(rig: Rig, sweep: Sweep, frame: int, wrenches: FloatArray) -> Balance
         Force and moment about the origin of the card frame on each patch, N and N mm, shape (p, 6).
     """
     unit = float(np.abs(wrenches * ([1.0] * 3 + [1 / rig.scale] * 3)).max()) or 1.0
+    middles = _middles(sweep, rig.forest, frame)
     rig.restore(sweep.states[frame], page_quaternions(np.array(sweep.theta[frame])))
-    rig.load(wrenches / unit)
-    rig.settle(SETTLE)
-    ends = _loop_forces(rig) * unit
-    rig.push(None)
-    return _carried(sweep, rig.forest, frame, wrenches, ends)
+    with _joined(rig, sweep, frame, middles):
+        rig.load(wrenches / unit)
+        rig.settle(SETTLE)
+        forces = _loop_forces(rig) * unit
+        rig.push(None)
+    return _carried(sweep, rig.forest, frame, wrenches, middles, forces)
+
+
+def _middles(sweep: Sweep, forest: Forest, frame: int) -> FloatArray:
+    """Half-way between the two images of both ends of each loop hinge, mm, shape (l, 2, 3)."""
+    poses = [[sweep.poses[frame, sweep.index[name]] for name in hinge.patches] for hinge in forest.loops]
+    points = np.array([hinge.points for hinge in forest.loops]).reshape(-1, 1, 2, 3)
+    return np.asarray(transform(np.array(poses).reshape(-1, 2, 4, 4), points).mean(axis=1))
+
+
+@contextmanager
+def _joined(rig: Rig, sweep: Sweep, frame: int, middles: FloatArray) -> Iterator[None]:
+    """Move the ends of all loops on their patches to where `middles` says, for a while."""
+    anchors = rig.model.eq_data.copy()
+    for side in (0, 1):
+        poses = np.array([sweep.poses[frame, sweep.index[hinge.patches[side]]] for hinge in rig.forest.loops])
+        turns, shifts = poses.reshape(-1, 4, 4)[:, :3, :3], poses.reshape(-1, 4, 4)[:, None, :3, 3]
+        rig.model.eq_data[:, 3 * side : 3 * side + 3] = ((middles - shifts) @ turns).reshape(-1, 3) / rig.scale
+    try:
+        yield
+    finally:
+        rig.model.eq_data[:] = anchors
 
 
 def _loop_forces(rig: Rig) -> FloatArray:
@@ -71,14 +99,15 @@ def _loop_forces(rig: Rig) -> FloatArray:
     return forces.reshape(-1, 2, 3)
 
 
-def _carried(sweep: Sweep, forest: Forest, frame: int, wrenches: FloatArray, ends: FloatArray) -> Balance:
-    """Carry loads and loop forces through the joints, from the outermost patches to the pages."""
+def _carried(
+    sweep: Sweep, forest: Forest, frame: int, wrenches: FloatArray, middles: FloatArray, ends: FloatArray
+) -> Balance:
+    """Carry loads and the forces at the ends of loops through the joints, from the outermost patches to the pages."""
     total = {patch.id: wrench.copy() for patch, wrench in zip(sweep.design.patches, wrenches, strict=True)}
     forces: dict[str, FloatArray] = {}
-    for hinge, pair in zip(forest.loops, ends, strict=True):
+    for hinge, places, pair in zip(forest.loops, middles, ends, strict=True):
         forces[hinge.id] = pair.sum(axis=0)
         for sign, name in zip((1, -1), hinge.patches, strict=True):
-            places = transform(sweep.poses[frame, sweep.index[name]], hinge.points)
             total[name][:3] += sign * forces[hinge.id]
             total[name][3:] += sign * np.cross(places, pair).sum(axis=0)
     unbalanced = 0.0

@@ -51,7 +51,7 @@ def _planted(plant: Callable[[Growth, Slot], str | None]) -> Callable[[Generator
                 if note is not None:
                     growth.slots.remove(sites[k])
                     growth.fill(count)
-                    return assemble(growth.card, growth.parts), note
+                    return assemble(growth.card, growth.parts, checked=False), note
         raise _no_room(limits)
 
     return make
@@ -71,7 +71,7 @@ def _make_lengths(rng: Generator, limits: Limits) -> Made:
             part, fault = sites[int(rng.integers(len(sites)))]
             by = draw(rng, LEAST_CUT, min(fault.most, MOST_CUT))
             try:
-                design = spoil(assemble(growth.card, growth.parts), part, fault, by)
+                design = spoil(assemble(growth.card, growth.parts, checked=False), part, fault, by)
             except DesignError:
                 continue
             return design, f"{fault.identity} of {part.id} is off: a line shifted by {by:g} mm"
@@ -88,7 +88,9 @@ def _make_tall(rng: Generator, limits: Limits) -> Made:
         if most >= LEAST_CUT:
             by = draw(rng, LEAST_CUT, most)
             card = _cut(growth.card, depth=tallest.closed_extent() - by)
-            return assemble(card, growth.parts), f"{tallest.id} sticks {by:g} mm out of the closed page"
+            return assemble(
+                card, growth.parts, checked=False
+            ), f"{tallest.id} sticks {by:g} mm out of the closed page"
     raise _no_room(limits)
 
 
@@ -103,7 +105,9 @@ def _make_wide(rng: Generator, limits: Limits) -> Made:
         if most >= LEAST_CUT:
             by = draw(rng, LEAST_CUT, most)
             card = _cut(growth.card, x=(growth.card.x[0], edge - by))
-            return assemble(card, growth.parts), f"{foremost.id} sticks {by:g} mm out beside the closed page"
+            return assemble(
+                card, growth.parts, checked=False
+            ), f"{foremost.id} sticks {by:g} mm out beside the closed page"
     raise _no_room(limits)
 
 
