@@ -115,14 +115,27 @@ def sample_surface(surface: Surface, count: int, *, seed: int) -> Samples:
 
 
 def _probes(corners: FloatArray, areas: FloatArray, spacing: float) -> tuple[IntArray, FloatArray]:
+    """Return the face of each probe (p,) and the probes (p, 3): at least the centroid of every triangle."""
+    reach = _longest_edges(corners) * PROBES_PER_LENGTH / spacing
+    counts = np.maximum(areas * PROBES_PER_CELL / spacing**2, reach)
+    counts = np.maximum(np.ceil(counts * min(1.0, MAX_PROBES / counts.sum())).astype(np.int64), 1)
+    one, many = np.flatnonzero(counts == 1), np.flatnonzero(counts > 1)
+    face, probes = _strata(corners[many], counts[many])
+    return np.concatenate([one, many[face]]), np.concatenate([corners[one].mean(axis=1), probes])
+
+
+def _longest_edges(corners: FloatArray) -> FloatArray:
+    squares = [np.square(corners[:, k] - corners[:, k - 1]).sum(axis=1) for k in range(3)]
+    return np.asarray(np.sqrt(np.maximum(np.maximum(squares[0], squares[1]), squares[2])))
+
+
+def _strata(corners: FloatArray, counts: IntArray) -> tuple[IntArray, FloatArray]:
     """Return the face of each probe (p,) and the probes (p, 3), stratified along the longest edge."""
     edges = np.roll(corners, -1, axis=1) - corners
     lengths = np.linalg.norm(edges, axis=2)
     start = lengths.argmax(axis=1)
     rows = np.arange(len(corners))
     longest = lengths[rows, start]
-    counts = np.maximum(areas * PROBES_PER_CELL / spacing**2, longest * PROBES_PER_LENGTH / spacing)
-    counts = np.maximum(np.ceil(counts * min(1.0, MAX_PROBES / counts.sum())).astype(np.int64), 1)
     face = np.repeat(rows, counts)
     order = np.arange(len(face)) - np.repeat(np.cumsum(counts) - counts, counts)
     first, second = corners[rows, start], corners[rows, (start + 1) % 3]
@@ -131,8 +144,7 @@ def _probes(corners: FloatArray, areas: FloatArray, spacing: float) -> tuple[Int
     foot = np.einsum("ij,ij->i", apex - first, along) / np.maximum(longest, 1e-300) ** 2
     height = apex - first - foot[:, None] * along
     position, reach = _triangle_strata((order + 0.5) / counts[face], np.clip(foot, 0, 1)[face])
-    across = np.where(counts[face] == 1, 1 / 3, _radical_inverse(order) * reach)
-    position = np.where(counts[face] == 1, (1 + foot[face]) / 3, position)
+    across = _radical_inverse(order) * reach
     return face, first[face] + position[:, None] * along[face] + across[:, None] * height[face]
 
 
@@ -203,7 +215,10 @@ def _merge_small(centroid: FloatArray, area: FloatArray, facing: IntArray, spaci
 
 
 def _nearest_probe(part: IntArray, probes: FloatArray, centroid: FloatArray) -> IntArray:
-    """Return the index of the probe of each part that is nearest to its centroid."""
-    distance = np.linalg.norm(probes - centroid[part], axis=1)
-    order = np.lexsort((distance, part))
-    return order[np.searchsorted(part[order], np.arange(len(centroid)))]
+    """Return the index of the probe of each part that is nearest to its centroid, the first of equals."""
+    distance = np.square(probes - centroid[part]).sum(axis=1)
+    order = np.argsort(part, kind="stable")
+    starts = np.searchsorted(part[order], np.arange(len(centroid)))
+    nearest = np.flatnonzero(distance[order] == np.minimum.reduceat(distance[order], starts)[part[order]])
+    first = np.unique(part[order[nearest]], return_index=True)[1]
+    return order[nearest[first]]
