@@ -20,6 +20,8 @@ ASPECTS: tuple[Aspect, ...] = ("foldable", "stable", "clear", "contained")
 
 DEFAULT = Settings()
 
+UNSURE_ENDS = "its loops need play, so torque near the open and the closed card depends on what gives way there"
+
 
 def verify(design: Design, settings: Settings = DEFAULT, stock: Stock | None = None) -> Verdict:
     """Fold `design`, state its theory, and compare.
@@ -38,7 +40,7 @@ def verify(design: Design, settings: Settings = DEFAULT, stock: Stock | None = N
         agreement=agreement(evidence.sweep, theory, settings) if comparable else (),
         grade=grade(evidence, settings),
         ranges=measured_ranges(evidence.sweep, theory) if comparable else {},
-        notes=(*_notes(design, evidence, play, settings), *_paper_notes(paper, untold)),
+        notes=(*_notes(design, evidence, play, settings), *_paper_notes(paper, untold, play)),
         evidence=evidence,
         play=play,
         paper=paper,
@@ -65,5 +67,7 @@ def _notes(design: Design, evidence: Evidence, play: Play | None, settings: Sett
     return tuple(notes)
 
 
-def _paper_notes(paper: PaperRun | None, untold: str) -> list[str]:
-    return [f"nothing can be told of it as paper: {untold}"] if untold else paper_notes(paper) if paper else []
+def _paper_notes(paper: PaperRun | None, untold: str, play: Play | None) -> list[str]:
+    if paper is None:
+        return [f"nothing can be told of it as paper: {untold}"] if untold else []
+    return [*([] if play is None else [UNSURE_ENDS]), *paper_notes(paper)]

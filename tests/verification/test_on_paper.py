@@ -36,6 +36,12 @@ def test_what_does_not_fold_or_stand_is_not_measured_and_says_so(make, reason):
     assert paper_csv(verdict.paper) == ",".join(COLUMNS) + "\n"
 
 
+def test_where_loops_need_play_torque_near_the_ends_is_said_to_be_unsure():
+    notes = verify(mismatched_box(0.1), stock=STOCK).notes
+    assert any("torque near the open and the closed card" in note for note in notes)
+    assert not any("torque near" in note for note in verify(plain_box(), stock=STOCK).notes)
+
+
 def test_report_and_csv_say_the_same(verdict):
     report = json.loads(verdict.to_json())["paper"]
     rows = list(csv.reader(io.StringIO(paper_csv(verdict.paper))))

@@ -75,8 +75,12 @@ def _middles(sweep: Sweep, forest: Forest, frame: int) -> FloatArray:
 
 @contextmanager
 def _joined(rig: Rig, sweep: Sweep, frame: int, middles: FloatArray) -> Iterator[None]:
-    """Move the ends of all loops on their patches to where `middles` says, for a while."""
-    anchors = rig.model.eq_data.copy()
+    """Move the ends of all loops on their patches to where `middles` says, and take joint limits off, for a while.
+
+    A recorded pose may lie a little beyond a limit, where it would be pushed back: there, too, paper gives way.
+    """
+    anchors, limited = rig.model.eq_data.copy(), rig.model.jnt_limited.copy()
+    rig.model.jnt_limited[:] = 0
     for side in (0, 1):
         poses = np.array([sweep.poses[frame, sweep.index[hinge.patches[side]]] for hinge in rig.forest.loops])
         turns, shifts = poses.reshape(-1, 4, 4)[:, :3, :3], poses.reshape(-1, 4, 4)[:, None, :3, 3]
@@ -84,7 +88,7 @@ def _joined(rig: Rig, sweep: Sweep, frame: int, middles: FloatArray) -> Iterator
     try:
         yield
     finally:
-        rig.model.eq_data[:] = anchors
+        rig.model.eq_data[:], rig.model.jnt_limited[:] = anchors, limited
 
 
 def _loop_forces(rig: Rig) -> FloatArray:
@@ -102,7 +106,7 @@ def _loop_forces(rig: Rig) -> FloatArray:
 def _carried(
     sweep: Sweep, forest: Forest, frame: int, wrenches: FloatArray, middles: FloatArray, ends: FloatArray
 ) -> Balance:
-    """Carry loads and the forces at the ends of loops through the joints, from the outermost patches to the pages."""
+    """Carry loads and loop forces through the joints, from the outermost patches to the pages."""
     total = {patch.id: wrench.copy() for patch, wrench in zip(sweep.design.patches, wrenches, strict=True)}
     forces: dict[str, FloatArray] = {}
     for hinge, places, pair in zip(forest.loops, middles, ends, strict=True):
