@@ -16,6 +16,7 @@ from popsim.layout.nets import Net
 from popsim.layout.parts import Part
 from popsim.layout.settings import LayoutSettings
 from popsim.layout.sites import Face, Site, sites
+from popsim.layout.slots import opening, slot_sites
 
 if TYPE_CHECKING:
     from shapely.geometry import Polygon
@@ -34,8 +35,15 @@ SMALLEST = 1.0
 class Bench:
     """What lies where while flaps are planned: paper per net, landings per face of each part."""
 
-    def __init__(self, parts: Mapping[str, Part], joints: tuple[Joint, ...], nets: tuple[Net, ...]) -> None:
+    def __init__(
+        self,
+        parts: Mapping[str, Part],
+        joints: tuple[Joint, ...],
+        nets: tuple[Net, ...],
+        settings: LayoutSettings,
+    ) -> None:
         self.parts = parts
+        self.settings = settings
         folded = {joint.id for net in nets for joint in net.folds}
         self.open = tuple(joint for joint in joints if joint.id not in folded)
         self.net_of = {name: net for net in nets for name in net.motions}
@@ -64,12 +72,15 @@ class Bench:
         seen = (self.seen[joint.id, first][stretch], self.seen[joint.id, second][stretch])
         free = (self._is_free(first, seen[0]), self._is_free(second, seen[1]))
         alone = (self._is_alone(joint, first, seen[0]), self._is_alone(joint, second, seen[1]))
-        return list(sites(joint, stretch, (self.parts[first], self.parts[second]), seen, free, alone))
+        pair = (self.parts[first], self.parts[second])
+        return [
+            *sites(joint, stretch, pair, seen, free, alone),
+            *slot_sites(joint, stretch, pair, seen, self.settings.clearance),
+        ]
 
-    def place(
-        self, choices: tuple[Site, ...], depths: Mapping[str, float], settings: LayoutSettings
-    ) -> Flap | None:
+    def place(self, choices: tuple[Site, ...], depths: Mapping[str, float]) -> Flap | None:
         """The best flap among `choices`, which then takes up its room; None where nothing of use fits."""
+        settings = self.settings
         for form, clearance in ((trapezoid, settings.clearance), (tab, settings.clearance / 5)):
             options = []
             for order, site in enumerate(choices):
@@ -90,10 +101,14 @@ class Bench:
         low, high = crease_span(shape)
         landing = move_shape(site.on_target, shape)
         polygon = move_shape(site.on_carrier, shape)
-        net = self.net_of[site.carrier.id]
-        self.paper[site.carrier.id].append(
-            (f"flap {site.joint.id}", move_shape(net.motions[site.carrier.id], polygon))
-        )
+        hole = None
+        if site.slot:
+            hole = move_shape(site.on_carrier, self._opening(site, shape))
+            for face in Face:
+                self.landed.setdefault((site.carrier.id, face), []).append(hole)
+        else:
+            motion = self.net_of[site.carrier.id].motions[site.carrier.id]
+            self.paper[site.carrier.id].append((f"flap {site.joint.id}", move_shape(motion, polygon)))
         self.landed.setdefault((site.target.id, site.face), []).append(landing)
         return Flap(
             joint=site.joint,
@@ -106,7 +121,12 @@ class Bench:
             landing=landing,
             face=site.face,
             glue_on_print=site.glue_on_print,
+            opening=hole,
         )
+
+    def _opening(self, site: Site, flap: "Polygon") -> "Polygon":
+        """What is cut out round a flap in a slot, in strip coordinates."""
+        return opening(site.length, flap.bounds[3] + APART, self.settings.clearance)
 
     def _is_free(self, name: str, contact: Contact) -> bool:
         """Whether a contact is a cut edge of the net: nothing else of the net lies beyond it."""
@@ -134,9 +154,12 @@ class Bench:
         )
 
     def _blocked(self, site: Site, full: "Polygon") -> "BaseGeometry":
-        """Where the carrier's own piece has paper, in strip coordinates."""
+        """Where the carrier's own piece has paper, in strip coordinates; for a slot, all if there is no room."""
         import shapely
 
+        if site.slot:
+            hole = move_shape(site.on_carrier, self._opening(site, full))
+            return shapely.Polygon() if self._can_open(site.carrier, hole, site.joint) else full
         name = site.carrier.id
         to_strip = inverse(self.net_of[name].motions[name] @ site.on_carrier)
         near = full.buffer(2 * APART)
@@ -146,6 +169,23 @@ class Bench:
             if moved.intersects(near):
                 blocked.append(_above(moved.buffer(APART), 2 * APART) if other == name else moved.buffer(APART))
         return shapely.unary_union(blocked)
+
+    def _can_open(self, host: Part, hole: "Polygon", own: Joint) -> bool:
+        """Whether an opening in a part keeps off its rim, what is glued to it, and its other joints."""
+        import shapely
+
+        clearance = self.settings.clearance
+        lines = [
+            shapely.LineString(contact.ends)
+            for (joint, part), stretches in self.seen.items()
+            if part == host.id and joint != own.id
+            for contact in stretches
+        ]
+        landings = [shape for face in Face for shape in self.landed.get((host.id, face), [])]
+        return bool(
+            host.polygon.contains(hole)
+            and shapely.distance(hole, [host.polygon.boundary, *lines, *landings]).min() >= clearance
+        )
 
     def _allowed(self, site: Site, full: "Polygon", clearance: float) -> "BaseGeometry":
         """Where the target's face is free, in strip coordinates."""
@@ -168,9 +208,11 @@ class Bench:
         pairs = zip(self.seen[joint.id, name], self.seen[joint.id, other.id], strict=True)
         for own, theirs in pairs:
             if own.left and own.right:
-                side = float(part.plane.normal @ into(other, theirs))
-                face = Face.PRINTED if side > 0 else Face.REVERSE
-                self.standing.setdefault((name, face), []).append(own.ends)
+                for side, paper in ((1, theirs.left), (-1, theirs.right)):
+                    if paper:
+                        rise = float(part.plane.normal @ into(other, theirs, side))
+                        face = Face.PRINTED if rise > 0 else Face.REVERSE
+                        self.standing.setdefault((name, face), []).append(own.ends)
 
 
 def _above(shape: "BaseGeometry", height: float) -> "BaseGeometry":

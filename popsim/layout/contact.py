@@ -2,6 +2,8 @@
 
 from dataclasses import dataclass
 
+import numpy as np
+
 from popsim.geometry.arrays import FloatArray
 from popsim.geometry.flat import common, left_of
 from popsim.layout.joints import Joint
@@ -26,6 +28,11 @@ class Contact:
     ends: FloatArray
     left: bool
     right: bool
+
+    @property
+    def length(self) -> float:
+        """Of the stretch, mm."""
+        return float(np.linalg.norm(self.ends[1] - self.ends[0]))
 
     @property
     def is_edge(self) -> bool:

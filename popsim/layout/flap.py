@@ -34,6 +34,9 @@ class Flap:
         Which face of the target is glued.
     glue_on_print:
         Whether the glue goes on the flap's printed side.
+    opening:
+        Of a flap in a slot, what is cut out of its carrier around it, in the carrier's flat coordinates: there the
+        target passes through. None for a flap on an edge.
     """
 
     joint: Joint
@@ -46,3 +49,4 @@ class Flap:
     landing: "Polygon"
     face: Face
     glue_on_print: bool
+    opening: "Polygon | None" = None

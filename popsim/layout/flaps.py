@@ -48,10 +48,10 @@ def plan_flaps(
     Stretches of joints that must share an edge are divided among them. A joint is left over where no flap of use
     fits on any side.
     """
-    joints = share_edges(joints, Bench(parts, joints, nets).carriers())
+    joints = share_edges(joints, Bench(parts, joints, nets, settings).carriers())
     depths = dict.fromkeys(parts, settings.flap_depth)
     for _ in range(ROUNDS):
-        flaps, left = _plan(Bench(parts, joints, nets), depths, settings)
+        flaps, left = _plan(Bench(parts, joints, nets, settings), depths)
         if not left:
             break
         # whatever lands where room ran out gets half as deep, to leave some for all
@@ -59,14 +59,12 @@ def plan_flaps(
     return flaps, left
 
 
-def _plan(
-    bench: Bench, depths: Mapping[str, float], settings: LayoutSettings
-) -> tuple[tuple[Flap, ...], tuple[Joint, ...]]:
+def _plan(bench: Bench, depths: Mapping[str, float]) -> tuple[tuple[Flap, ...], tuple[Joint, ...]]:
     """One round of planning with the given depth of flaps by the part that they land on."""
     tasks = [Task(joint, k, tuple(bench.sites(joint, k))) for joint in bench.open for k in _worth_gluing(joint)]
     found: dict[tuple[str, int], Flap] = {}
     for task in sorted(tasks, key=lambda task: task.freedom):
-        flap = bench.place(task.choices, depths, settings)
+        flap = bench.place(task.choices, depths)
         if flap is not None:
             found[task.joint.id, task.stretch] = flap
     flaps = tuple(found[key] for task in tasks if (key := (task.joint.id, task.stretch)) in found)

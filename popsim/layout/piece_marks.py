@@ -10,7 +10,7 @@ from popsim.layout.flap import Flap
 from popsim.layout.folding import Crease
 from popsim.layout.layout import Layout, Placement
 from popsim.layout.perforation import perforation
-from popsim.layout.piece_pictures import glued, pictures, rings
+from popsim.layout.piece_pictures import blank, pictures, rings
 from popsim.layout.sheet import Area, Line, Mark, Role, Text
 from popsim.layout.sites import Face
 
@@ -114,7 +114,7 @@ def _lettering(layout: Layout, placement: Placement) -> Lettering:
     shapes = [
         without(
             move_shape(placement.motion @ piece.motions[part], layout.parts[part].polygon),
-            glued(layout, placement, part),
+            blank(layout, placement, part),
         )
         for part in pictured
     ]
@@ -144,7 +144,9 @@ def _name(layout: Layout, placement: Placement, lettering: Lettering) -> Iterato
     import shapely
 
     piece = placement.piece
-    taken = shapely.unary_union([move_shape(piece.motions[flap.target], flap.landing) for flap in piece.places])
+    places = [move_shape(piece.motions[flap.target], flap.landing) for flap in piece.places]
+    slots = [move_shape(piece.motions[flap.carrier], flap.opening) for flap in piece.flaps if flap.opening]
+    taken = shapely.unary_union([*places, *slots])
     free = []
     for part, motion in piece.motions.items():
         printed = layout.parts[part].patch.texture is not None

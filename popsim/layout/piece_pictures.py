@@ -38,22 +38,22 @@ def pictures(layout: Layout, placement: Placement) -> Iterator[Picture]:
         affine[:2, 0], affine[:2, 1], affine[:2, 2] = flat[1] - flat[0], flat[2] - flat[0], flat[0]
         others = shapely.unary_union([shape for other, shape in moved.items() if other != name])
         bled = without(moved[name].buffer(bleed, join_style="mitre", mitre_limit=2), others).union(moved[name])
-        yield Picture(
-            Role.PRINT, part.patch.texture, affine, tuple(rings(without(bled, glued(layout, placement, name))))
-        )
+        shown = without(bled, blank(layout, placement, name))
+        yield Picture(Role.PRINT, part.patch.texture, affine, tuple(rings(shown)))
 
 
-def glued(layout: Layout, placement: Placement, part: str) -> "BaseGeometry":
-    """Where flaps are glued onto the printed side of a part, less what lies under their rims, on the sheet."""
+def blank(layout: Layout, placement: Placement, part: str) -> "BaseGeometry":
+    """What of a part bears no picture, on the sheet: slots, and places of flaps but for their rims."""
     import shapely
 
-    motion = placement.motion @ placement.piece.motions[part]
+    piece = placement.piece
     landings = [
-        move_shape(motion, flap.landing).buffer(-UNDERLAP, join_style="mitre")
-        for flap in placement.piece.places
+        flap.landing.buffer(-UNDERLAP, join_style="mitre")
+        for flap in piece.places
         if flap.target == part and flap.face is Face.PRINTED
     ]
-    return shapely.unary_union(landings)
+    openings = [flap.opening for flap in piece.flaps if flap.carrier == part and flap.opening is not None]
+    return move_shape(placement.motion @ piece.motions[part], shapely.unary_union([*landings, *openings]))
 
 
 def rings(shape: "BaseGeometry") -> Iterator[FloatArray]:

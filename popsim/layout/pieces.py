@@ -6,7 +6,7 @@ from itertools import pairwise
 from typing import TYPE_CHECKING
 
 from popsim.geometry.arrays import FloatArray
-from popsim.geometry.flat import move, move_shape
+from popsim.geometry.flat import move, move_shape, without
 from popsim.layout.contact import contacts
 from popsim.layout.errors import LayoutError
 from popsim.layout.flap import Flap
@@ -17,6 +17,7 @@ from popsim.layout.parts import Part
 
 if TYPE_CHECKING:
     from shapely.geometry import Polygon
+    from shapely.geometry.base import BaseGeometry
 
 BRIDGE = 0.002
 """mm; paper added along creases so that outlines that meet but for rounding merge; far below a cutter's error."""
@@ -96,7 +97,7 @@ def _unused(stem: str, names: list[str]) -> str:
 def _piece(name: str, net: Net, parts: Mapping[str, Part], flaps: tuple[Flap, ...]) -> Piece:
     carried = tuple(flap for flap in flaps if flap.carrier in net.motions)
     folds = (*_inner_folds(net, parts), *_flap_folds(net, carried))
-    shapes = [move_shape(motion, parts[part].polygon) for part, motion in net.motions.items()]
+    shapes = [move_shape(motion, _opened(parts[part], carried)) for part, motion in net.motions.items()]
     tabs = [move_shape(net.motions[flap.carrier], flap.polygon) for flap in carried]
     lines = [fold.ends for fold in folds]
     lines += [move(net.motions[flap.carrier], flap.line) for flap in carried if flap.crease is Crease.NONE]
@@ -110,6 +111,14 @@ def _piece(name: str, net: Net, parts: Mapping[str, Part], flaps: tuple[Flap, ..
         flaps=carried,
         places=tuple(flap for flap in flaps if flap.target in net.motions),
     )
+
+
+def _opened(part: Part, flaps: tuple[Flap, ...]) -> "BaseGeometry":
+    """The part without the openings of its slots."""
+    import shapely
+
+    openings = [flap.opening for flap in flaps if flap.carrier == part.id and flap.opening is not None]
+    return without(part.polygon, shapely.unary_union(openings)) if openings else part.polygon
 
 
 def _inner_folds(net: Net, parts: Mapping[str, Part]) -> Iterator[Fold]:
@@ -127,7 +136,7 @@ def _flap_folds(net: Net, flaps: tuple[Flap, ...]) -> Iterator[Fold]:
             yield Fold(move(net.motions[flap.carrier], flap.line), flap.crease, flap.joint)
 
 
-def _merged(shapes: list["Polygon"], lines: list[FloatArray], name: str) -> "Polygon":
+def _merged(shapes: list["BaseGeometry"], lines: list[FloatArray], name: str) -> "Polygon":
     """Union of all shapes, welded along `lines`."""
     import shapely
 
@@ -143,7 +152,7 @@ def _merged(shapes: list["Polygon"], lines: list[FloatArray], name: str) -> "Pol
     return shapely.orient_polygons(union)
 
 
-def _slits(shapes: list["Polygon"], outline: "Polygon", lines: list[FloatArray]) -> tuple[FloatArray, ...]:
+def _slits(shapes: list["BaseGeometry"], outline: "Polygon", lines: list[FloatArray]) -> tuple[FloatArray, ...]:
     """Boundaries of the shapes that are neither outline nor crease."""
     import shapely
 

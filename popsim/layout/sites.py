@@ -46,6 +46,8 @@ class Site:
         Whether the flap's printed side is the one that gets the glue.
     rank:
         How well the flap hides, less is better.
+    slot:
+        Whether the flap stands in an opening of its carrier, through which the target passes.
     """
 
     joint: Joint
@@ -59,6 +61,7 @@ class Site:
     crease: Crease
     glue_on_print: bool
     rank: int
+    slot: bool = False
 
 
 def sites(
@@ -117,17 +120,17 @@ def _landings(
             stretch=stretch,
             carrier=carrier,
             target=target,
-            on_carrier=_strip(seen[0].ends, outward),
-            on_target=_strip(seen[1].ends, side),
-            length=float(np.linalg.norm(seen[0].ends[1] - seen[0].ends[0])),
+            on_carrier=strip(seen[0].ends, outward),
+            on_target=strip(seen[1].ends, side),
+            length=seen[0].length,
             face=face,
             crease=Crease.NONE if joint.hinge is None else bend(normal, ahead, joint.hinge),
-            glue_on_print=_glue_on_print(normal, back, ahead, face.value * target.plane.normal),
+            glue_on_print=glue_on_print(normal, back, ahead, face.value * target.plane.normal),
             rank=rank + (0 if hidden else 2) + (0 if reached else 1),
         )
 
 
-def _strip(ends: FloatArray, side: int) -> FloatArray:
+def strip(ends: FloatArray, side: int) -> FloatArray:
     """Matrix from strip coordinates to flat ones; the strip lies to the left (1) or right (-1) of `ends`."""
     across = left_of(ends)
     matrix = np.eye(3)
@@ -135,7 +138,7 @@ def _strip(ends: FloatArray, side: int) -> FloatArray:
     return matrix
 
 
-def _glue_on_print(normal: FloatArray, back: FloatArray, ahead: FloatArray, face: FloatArray) -> bool:
+def glue_on_print(normal: FloatArray, back: FloatArray, ahead: FloatArray, face: FloatArray) -> bool:
     """Whether the printed side of a flap, folded from -`back` to `ahead`, meets the face with outer normal `face`.
 
     The fold carries the frame (-back, axis, normal) to (ahead, axis, printed side of the flap).
