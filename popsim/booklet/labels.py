@@ -99,7 +99,7 @@ class Labels:
     def _inside(self, wish: Wish) -> tuple[FloatArray, None] | None:
         import shapely
 
-        parts = [part for part in shapely.get_parts(wish.area) if part.geom_type == "Polygon"]
+        parts = [part for part in shapely.get_parts(wish.area) if part.geom_type == "Polygon" and part.area > 0]
         if not wish.inside or not parts:
             return None
         part = max(parts, key=lambda part: float(part.area))

@@ -109,19 +109,18 @@ def _covers(projected: list[Projected]) -> Iterator[tuple[int, "BaseGeometry"]]:
     shapes = np.array([one.whole for one in projected])
     depths = np.array([one.depth for one in projected])
     bounds = shapely.bounds(shapes)
-    back, front = shapely.STRtree(shapes).query(shapes)
+    back, front = shapely.STRtree(shapes).query(shapes, predicate="intersects")
     low = np.maximum(bounds[back, :2], bounds[front, :2])
     high = np.minimum(bounds[back, 2:], bounds[front, 2:])
     corners = np.stack([low, np.stack([high[:, 0], low[:, 1]], 1), high, np.stack([low[:, 0], high[:, 1]], 1)], 1)
     slope = depths[back] - depths[front]
     nearer = np.einsum("kij,kj->ki", corners, slope[:, :2]) + slope[:, 2:] - TOUCHING
-    everywhere, anywhere = (nearer > 0).all(axis=1), (nearer > 0).any(axis=1)
-    for k in np.flatnonzero(anywhere):
-        shape = shapes[front[k]]
-        yield (
-            int(back[k]),
-            shape if everywhere[k] else shape.intersection(shapely.Polygon(_above(corners[k], nearer[k]))),
-        )
+    found = shapes[front]
+    cut = np.flatnonzero((nearer > 0).any(axis=1) & (nearer <= 0).any(axis=1))
+    halves = [shapely.Polygon(_above(corners[k], nearer[k])) for k in cut]
+    found[cut] = shapely.intersection(found[cut], np.array(halves, dtype=object))
+    for k in np.flatnonzero((nearer > 0).any(axis=1)):
+        yield int(back[k]), found[k]
 
 
 def _seen(one: Projected, cover: "BaseGeometry") -> Seen:

@@ -1,6 +1,6 @@
 """What there is to draw in a scene of the assembly: parts, flaps, places for flaps."""
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass
 from enum import Enum
 from functools import cached_property
@@ -9,7 +9,9 @@ from typing import TYPE_CHECKING
 from popsim.assembly import FlapKey, Scene, flap_key
 from popsim.booklet.cutout import Cutout, cutout, flap_cutout, part_cutouts
 from popsim.booklet.sight import Plate, Seen, see
+from popsim.booklet.stacking import LEVEL, NEAR, stacked
 from popsim.design import BACKDROP_ID, GROUND_ID
+from popsim.geometry.arrays import FloatArray
 from popsim.geometry.plane import Plane
 from popsim.geometry.rigid import translation
 from popsim.layout import Face, Flap, Layout
@@ -17,7 +19,7 @@ from popsim.layout import Face, Flap, Layout
 if TYPE_CHECKING:
     from popsim.rendering.view import View
 
-FLAP_LIFT, PLACE_LIFT = 0.15, 0.06
+FLAP_LIFT, PLACE_LIFT = 0.1, 0.05
 """mm; flaps are drawn this far off the paper that they lie on, and the places for them nearly on it."""
 
 
@@ -93,35 +95,50 @@ class Eye:
 
     def look(self, scene: Scene, new: Collection[str] = (), glued: Collection[FlapKey] = ()) -> tuple[Sight, ...]:
         """What is seen of a scene; parts in `new` stand out, flaps in `glued` show where they are glued."""
-        things = [*self._parts(scene, new), *self._flaps(scene, new, glued), *self._places(scene, new, glued)]
+        shifts = stacked(scene, self.layout, self.parts)
+        planes = {
+            name: self.layout.parts[name].plane.moved(translation(shifts[name]) @ pose)
+            for name, pose in scene.poses.items()
+        }
+        flaps = {key: self._flap_plane(key, scene, shifts) for key in scene.flaps}
+        things = [*self._parts(planes, new), *self._flaps(flaps, new, glued), *self._places(planes, new, glued)]
         seen = see([thing.plate for thing in things], self.view)
         return tuple(Sight(thing, own) for thing, own in zip(things, seen, strict=True))
 
-    def _parts(self, scene: Scene, new: Collection[str]) -> Iterator[Thing]:
-        for name, pose in scene.poses.items():
-            part = self.layout.parts[name]
-            kind = Kind.PAGE if part.patch.id in (GROUND_ID, BACKDROP_ID) else Kind.PART
-            yield Thing(kind, name, Plate(self.parts[name], part.plane.moved(pose)), name in new)
+    def _parts(self, planes: Mapping[str, Plane], new: Collection[str]) -> Iterator[Thing]:
+        for name, plane in planes.items():
+            page = self.layout.parts[name].patch.id in (GROUND_ID, BACKDROP_ID)
+            yield Thing(Kind.PAGE if page else Kind.PART, name, Plate(self.parts[name], plane), name in new)
 
-    def _flaps(self, scene: Scene, new: Collection[str], glued: Collection[FlapKey]) -> Iterator[Thing]:
-        for key, pose in scene.flaps.items():
+    def _flaps(
+        self, planes: Mapping[FlapKey, Plane], new: Collection[str], glued: Collection[FlapKey]
+    ) -> Iterator[Thing]:
+        for key, plane in planes.items():
             flap, shape, _ = self.flaps[key]
-            plane = self.layout.parts[flap.carrier].plane.moved(pose)
-            if flap.target in scene.poses:
-                plane = self._lifted(plane, flap, scene, FLAP_LIFT)
             active = flap if key in glued else None
             yield Thing(Kind.FLAP, flap.carrier, Plate(shape, plane), flap.carrier in new, active)
 
-    def _places(self, scene: Scene, new: Collection[str], glued: Collection[FlapKey]) -> Iterator[Thing]:
+    def _places(
+        self, planes: Mapping[str, Plane], new: Collection[str], glued: Collection[FlapKey]
+    ) -> Iterator[Thing]:
         for key in glued:
             flap, _, shape = self.flaps[key]
-            if flap.target in scene.poses:
-                plane = self.layout.parts[flap.target].plane.moved(scene.poses[flap.target])
-                lifted = self._lifted(plane, flap, scene, PLACE_LIFT)
+            if flap.target in planes:
+                plane = planes[flap.target]
+                lifted = plane.moved(translation(_lift(flap, plane, PLACE_LIFT)))
                 yield Thing(Kind.PLACE, flap.target, Plate(shape, lifted), flap.target in new, flap)
 
-    def _lifted(self, plane: Plane, flap: Flap, scene: Scene, lift: float) -> Plane:
-        """`plane` moved off the face of the target that the flap is glued to."""
-        target = self.layout.parts[flap.target].plane
-        normal = scene.poses[flap.target][:3, :3] @ target.normal
-        return plane.moved(translation(lift * normal * (1 if flap.face is Face.PRINTED else -1)))
+    def _flap_plane(self, key: FlapKey, scene: Scene, shifts: Mapping[str, FloatArray]) -> Plane:
+        """Where a flap is drawn: a little off the target on which it lies, else where its carrier is."""
+        flap = self.flaps[key][0]
+        plane = self.layout.parts[flap.carrier].plane.moved(scene.flaps[key])
+        if flap.target in scene.poses:
+            target = self.layout.parts[flap.target].plane.moved(scene.poses[flap.target])
+            if abs(plane.normal @ target.normal) > LEVEL and abs(target.distance(plane.origin)) < NEAR:
+                return plane.moved(translation(shifts[flap.target] + _lift(flap, target, FLAP_LIFT)))
+        return plane.moved(translation(shifts[flap.carrier]))
+
+
+def _lift(flap: Flap, target: Plane, height: float) -> FloatArray:
+    """Shift (3,) off the face of the target that a flap is glued to, mm."""
+    return height * target.normal * (1 if flap.face is Face.PRINTED else -1)

@@ -54,7 +54,7 @@ def write_booklet(
 
     from popsim.pictures import Look, open_picture
 
-    look = Look(width=800, height=600)
+    look = Look(width=720, height=540)
     picture, pdf, html = (folder / file for file in (PICTURE, f"{NAME}.pdf", f"{NAME}.html"))
     Image.fromarray(open_picture(design, folder, look)).save(picture, format="PNG")
     form = booklet_format(plan.layout.paper)

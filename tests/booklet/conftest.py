@@ -1,14 +1,12 @@
-"""A small pop-up with a plan, and its booklet."""
+"""The test build with its plan, and the folder that it is written to."""
 
 import pytest
 from built_pop_up import Built
 
 from popsim.assembly import AssemblyPlan, plan_assembly
-from popsim.booklet import write_booklet
 from popsim.layout import lay_out
-from popsim.pipeline.calibration import calibration_design
-
-CHECKS = ("Measure the bars.", "Close the card.")
+from popsim.pipeline import RunSettings
+from popsim.pipeline.calibration import calibration_design, deliver_calibration
 
 
 @pytest.fixture(scope="session")
@@ -19,8 +17,7 @@ def plan() -> AssemblyPlan:
 
 @pytest.fixture(scope="session")
 def built(plan: AssemblyPlan, tmp_path_factory: pytest.TempPathFactory) -> Built:
-    """The booklet of the same."""
-    folder = tmp_path_factory.mktemp("booklet")
-    design = calibration_design()
-    write_booklet(plan, design, folder, name="Box & wedge", checks=CHECKS)
-    return Built(design, plan, folder)
+    """The same as it is delivered."""
+    folder = tmp_path_factory.mktemp("booklet") / "out"
+    deliver_calibration(folder, RunSettings(), footer="made by a test", force=False)
+    return Built(calibration_design(), plan, folder)

@@ -20,6 +20,7 @@ from popsim.booklet.legend import legend
 from popsim.booklet.pages import draw_pages
 from popsim.layout import PAPERS, Paper, find_paper
 from popsim.layout.sheet import Area, Line, Mark, Text
+from popsim.pipeline.calibration import CHECKS, NAME
 
 IMAGE = 3
 """Type of page objects that are pixels (FPDF_PAGEOBJ_IMAGE)."""
@@ -48,7 +49,7 @@ def test_every_sentence_stands_in_the_pdf(document: pypdfium2.PdfDocument, built
     text = words(" ".join(page.get_textpage().get_text_range() for page in document))
     for step in built.plan.steps:
         assert words(step.text) in text
-    for wanted in ("Box & wedge", "You need", "What the pictures say", "Measure the bars.", "Close the card."):
+    for wanted in (NAME, "You need", "What the pictures say", "What to check", *CHECKS):
         assert wanted in text
 
 
@@ -141,20 +142,19 @@ def test_html_is_complete_and_needs_nothing_else(built: Built) -> None:
     assert outline.drawings == len(built.plan.steps) + len(legend())
     assert all(reference.startswith(("data:", "#")) for reference in outline.references)
     assert "url(" not in text.replace("url(#", "")
-    assert "Box &amp; wedge" in text
     ids = re.findall(r'\bid="([^"]+)"', text)
     assert len(ids) == len(set(ids))
 
 
 def test_same_plan_gives_the_same_bytes(built: Built, tmp_path: Path) -> None:
-    checks = ("Measure the bars.", "Close the card.")
-    files = write_booklet(built.plan, built.design, tmp_path, name="Box & wedge", checks=checks)
+    files = write_booklet(built.plan, built.design, tmp_path, name=NAME, checks=CHECKS)
     for file in files:
         assert file.read_bytes() == (built.folder / file.name).read_bytes(), file.name
 
 
 def test_warning_stands_on_the_cover(booklet: Booklet, form: Format, built: Built) -> None:
-    warned = replace(booklet, banner="NOT VERIFIED")
+    warned = replace(booklet, name="<box>", banner="NOT VERIFIED")
     assert "NOT VERIFIED" in [mark.text for mark in draw_pages(warned, form)[0].marks if isinstance(mark, Text)]
     assert "<strong>NOT VERIFIED</strong>" in page_of(warned, built.folder)
+    assert "<box>" not in page_of(warned, built.folder)
     assert "<strong>" not in page_of(booklet, built.folder)

@@ -1,15 +1,14 @@
 """The test build: it folds, it goes on one sheet, and the sheet says what to look at."""
 
 import re
-from pathlib import Path
 
 import pypdfium2
 import pytest
+from built_pop_up import Built
 
 from popsim.layout import draw_sheets, lay_out
 from popsim.layout.sheet import Text
-from popsim.pipeline import RunSettings
-from popsim.pipeline.calibration import CHECKS, calibration_design, deliver_calibration
+from popsim.pipeline.calibration import CHECKS, calibration_design
 from popsim.verification import verify
 
 
@@ -26,11 +25,10 @@ def test_it_goes_on_one_sheet(paper: str) -> None:
     assert lay_out(calibration_design(), paper=paper).sheet_count == 1
 
 
-def test_folder_holds_all_and_the_sheet_says_what_to_check(tmp_path: Path) -> None:
-    files = deliver_calibration(tmp_path / "out", RunSettings(), footer="made by a test", force=False)
-    names = {file.name for file in files}
+def test_folder_holds_all_and_the_sheet_says_what_to_check(built: Built) -> None:
+    names = {path.name for path in built.folder.iterdir()}
     assert {"sheets.pdf", "sheets-1.svg", "instructions.pdf", "instructions.html", "design.json"} <= names
-    text = pypdfium2.PdfDocument(tmp_path / "out" / "sheets.pdf")[0].get_textpage().get_text_range()
+    text = pypdfium2.PdfDocument(built.folder / "sheets.pdf")[0].get_textpage().get_text_range()
     assert "5 cm" in text
     for check in CHECKS:
         assert check in re.sub(r"\s+", " ", text)
