@@ -20,12 +20,12 @@ def print_verdict(verdict: "Verdict", name: str) -> None:
     console = Console(highlight=False)
     table = Table("", "theory", "simulation", "measured", box=box.SIMPLE_HEAD, pad_edge=False)
     for row in verdict.rows():
-        where = f", {row['where']}" if row["where"] else ""
+        told = f"{row['measured']} (at most {row['tolerance']})" if row["measured"] else ""
         table.add_row(
             row["aspect"],
             f"{_coloured(row['theory'])} {row['margin']}".strip(),
             _coloured(row["simulation"]) + (f" ({_coloured(row['disagreement'])})" if row["disagreement"] else ""),
-            f"{escape(row['measured'])} (at most {row['tolerance']}){escape(where)}",
+            escape(", ".join(part for part in (told, row["where"]) if part)),
         )
         for measure in _others(verdict, row["aspect"]):
             place = f", {measure.where}" if measure.where else ""

@@ -1,11 +1,11 @@
 """How much give a design needs from its paper, at which hinge, and how to need less.
 
 Rigid plates fold with a loop gap of nothing, or not at all; paper gives way by some tenths of a millimetre. So a
-gap beyond `Settings.rigid` and up to `Settings.play` is graded *within play*, and the design passes. That is right
-of paper and says less of the geometry:
+gap beyond `Settings.rigid` and up to `Settings.play` is graded *within play* and counts as foldable. That is
+right of paper and says less of the geometry:
 
-- Lengths that do not quite add up pass too. A box-fold whose backbone is 0.1 mm too long misses b + r = c + t_b
-  (Sec. 3.3.1) and cannot fold rigidly; it needs 0.1 mm of play, which any paper has.
+- Lengths that do not quite add up count as foldable too. A box-fold whose backbone is 0.1 mm too long misses
+  b + r = c + t_b (Sec. 3.3.1) and cannot fold rigidly; it needs 0.1 mm of play, which any paper has.
 - Slanted sides never fold rigidly, although the condition of the paper holds to the last digit (Sec. 4.2, the
   ship). b + r = c + t_b is exact for the cross-section, and for the whole box only if its sides are parallel to
   the backbone: while it closes, a front pair that is hinged along the whole of two slanted edges is twisted.
