@@ -12,7 +12,10 @@ def render(
     angle: Annotated[list[float], typer.Option(help="Fold angle in degrees; may be repeated.")] = [180.0],  # noqa: B006  # typer copies it
     model: Annotated[Path | None, typer.Option(help="Draw the model beside it.")] = None,
     sheet: Annotated[Path | None, typer.Option(help="Draw the first page of this PDF too.")] = None,
-    azimuth: Annotated[float, typer.Option(help="View from this side, degrees; 0 is the front.")] = 35.0,
+    azimuth: Annotated[
+        list[float],
+        typer.Option(help="View from this side, degrees; 0 is the front. May be repeated, for more rows."),
+    ] = [35.0],  # noqa: B006  # typer copies it
     elevation: Annotated[float, typer.Option(help="View from this height, degrees.")] = 25.0,
     width: Annotated[int, typer.Option(help="Of each picture, pixels.")] = 640,
     height: Annotated[int, typer.Option(help="Of each picture, pixels.")] = 480,
@@ -26,6 +29,6 @@ def render(
     from popsim.pictures import Look, picture_strip
 
     refuse_overwrite(output, force)
-    look = Look(azimuth, elevation, width, height)
-    strip = picture_strip(load_design(path), path.parent, angle, look=look, model=model, sheet=sheet)
+    looks = [Look(side, elevation, width, height) for side in azimuth]
+    strip = picture_strip(load_design(path), path.parent, angle, looks=looks, model=model, sheet=sheet)
     write_file(output, lambda temporary: Image.fromarray(strip).save(temporary, format="PNG"), force=force)

@@ -1,7 +1,6 @@
-"""A row of pictures: model, pop-up at some fold angles, a sheet."""
+"""Rows of pictures: model, pop-up at some fold angles, a sheet; one row for each view."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -10,38 +9,16 @@ import numpy as np
 from popsim.design import Design
 from popsim.errors import InputError
 from popsim.geometry.arrays import FloatArray, UInt8Array
+from popsim.geometry.frame import OPEN
 from popsim.geometry.surface import Surface
+from popsim.pictures.look import Look
+from popsim.pictures.photo import camera_for, photograph
 
 if TYPE_CHECKING:
     from popsim.patches.popup_surface import Textures
-    from popsim.rendering.camera import Camera
 
 RECORDED = 180
 """Fold angles recorded while closing, one per degree."""
-
-
-@dataclass(frozen=True)
-class Look:
-    """How pictures are taken.
-
-    Attributes
-    ----------
-    azimuth, elevation:
-        Of the eye, degrees; azimuth 0 is the front (+x).
-    width, height:
-        Of each picture, pixels.
-    """
-
-    azimuth: float = 35.0
-    elevation: float = 25.0
-    width: int = 640
-    height: int = 480
-
-    def __post_init__(self) -> None:
-        if not (-90 <= self.elevation <= 90):
-            raise InputError(f"the elevation must lie between -90 and 90 degrees, not {self.elevation:g}")
-        if not (16 <= self.width <= 8000 and 16 <= self.height <= 8000):
-            raise InputError(f"pictures measure 16 to 8000 pixels, not {self.width} x {self.height}")
 
 
 def picture_strip(
@@ -49,11 +26,11 @@ def picture_strip(
     textures: Path,
     angles: Sequence[float],
     *,
-    look: Look | None = None,
+    looks: Sequence[Look] = (Look(),),
     model: Path | None = None,
     sheet: Path | None = None,
 ) -> UInt8Array:
-    """Draw a row of pictures with captions, RGBA, shape (h, w, 4).
+    """Draw rows of pictures with captions, RGBA, shape (h, w, 4).
 
     Parameters
     ----------
@@ -62,9 +39,9 @@ def picture_strip(
     textures:
         The folder its texture paths are relative to.
     angles:
-        Fold angles of the pop-up, degrees, 180 open to 0 closed.
-    look:
-        View and size.
+        Fold angles of the pop-up, degrees, 180 open to 0 closed; the ground page lies on the table.
+    looks:
+        Views, at least one.
     model:
         The model it was made from; drawn first, where it stands on the card.
     sheet:
@@ -76,28 +53,28 @@ def picture_strip(
         An angle is out of range, or a file cannot be read, or the design does not say where its model stands.
     """
     from popsim.patches.popup_surface import popup_surface
-    from popsim.rendering.camera import Camera
     from popsim.rendering.contact_sheet import contact_sheet
 
-    look = look or Look()
     if any(not 0 <= angle <= 180 for angle in angles):
         raise InputError(f"fold angles lie between 0 (closed) and 180 (open) degrees, not {list(angles)}")
-    opened = popup_surface(design, textures)
-    aspect = look.width / look.height
-    camera = Camera.looking_at(_popup_box(design), look.azimuth, look.elevation, aspect=aspect)
+    surfaces = [
+        _laid(popup_surface(design, textures, poses), angle)
+        for angle, poses in zip(angles, _poses(design, angles), strict=True)
+    ]
+    solid = None if model is None else model_surface(design, model)
+    card = popup_surface(design, textures).bounds
     pictures, captions = [], []
-    if model is not None:
-        pictures.append(_picture(_model_surface(design, model), camera, look))
-        captions.append("model")
-    for angle, poses in zip(angles, _poses(design, angles), strict=True):
-        surface = popup_surface(design, textures, poses) if poses else opened
-        whole = Camera.looking_at(surface.bounds, look.azimuth, look.elevation, aspect=aspect)
-        pictures.append(_picture(surface, camera if angle == 180 else whole, look))
-        captions.append("open" if angle == 180 else f"{angle:g} degrees")
-    if sheet is not None:
-        pictures.append(_page(sheet, look))
-        captions.append("sheet")
-    return contact_sheet(pictures, captions, len(pictures))
+    for look in looks:
+        if solid is not None:
+            pictures.append(photograph(solid, camera_for(card, look), look))
+            captions.append("model")
+        for angle, surface in zip(angles, surfaces, strict=True):
+            pictures.append(photograph(surface, camera_for(surface.bounds, look), look))
+            captions.append("open" if angle == 180 else f"{angle:g} degrees")
+        if sheet is not None:
+            pictures.append(_page(sheet, look))
+            captions.append("sheet")
+    return contact_sheet(pictures, captions, len(pictures) // len(looks))
 
 
 def open_picture(design: Design, textures: "Textures", look: Look | None = None) -> UInt8Array:
@@ -109,19 +86,35 @@ def open_picture(design: Design, textures: "Textures", look: Look | None = None)
         A texture is missing or no image.
     """
     from popsim.patches.popup_surface import popup_surface
-    from popsim.rendering.camera import Camera
 
     look = look or Look()
-    camera = Camera.looking_at(_popup_box(design), look.azimuth, look.elevation, aspect=look.width / look.height)
-    return _picture(popup_surface(design, textures), camera, look)
+    surface = popup_surface(design, textures)
+    return photograph(surface, camera_for(surface.bounds, look), look)
 
 
-def _popup_box(design: Design) -> FloatArray:
-    """Box around all patches but the pages, a little larger."""
-    corners = np.concatenate([patch.points for patch in (design.popup_patches or design.patches)])
-    low, high = corners.min(axis=0), corners.max(axis=0)
-    reserve = 0.06 * float((high - low).max())
-    return np.array([low - [reserve, reserve, 0], high + reserve])
+def model_surface(design: Design, model: Path) -> Surface:
+    """The model where it stands on the card.
+
+    Raises
+    ------
+    InputError
+        The design does not say where that is, or the file is no model.
+    """
+    from popsim.mesh.loading import load_model
+
+    if design.model_to_card is None:
+        raise InputError(
+            "the design does not say where its model stands (model_to_card is null); leave the model out"
+        )
+    return load_model(model).surface.transformed(np.array(design.model_to_card))
+
+
+def _laid(surface: Surface, angle: float) -> Surface:
+    """A folded card turned about its fold until its ground page lies flat."""
+    turn = (np.radians(angle) - OPEN) / 2
+    motion = np.eye(4)
+    motion[1:3, 1:3] = [[np.cos(turn), -np.sin(turn)], [np.sin(turn), np.cos(turn)]]
+    return surface.transformed(motion)
 
 
 def _poses(design: Design, angles: Sequence[float]) -> list[dict[str, FloatArray] | None]:
@@ -136,22 +129,6 @@ def _poses(design: Design, angles: Sequence[float]) -> list[dict[str, FloatArray
         nearest = int(np.abs(sweep.degrees - angle).argmin())
         found.append({name: sweep.poses[nearest, index] for name, index in sweep.index.items()})
     return found
-
-
-def _model_surface(design: Design, model: Path) -> Surface:
-    from popsim.mesh.loading import load_model
-
-    if design.model_to_card is None:
-        raise InputError(
-            "the design does not say where its model stands (model_to_card is null); leave the model out"
-        )
-    return load_model(model).surface.transformed(np.array(design.model_to_card))
-
-
-def _picture(surface: Surface, camera: "Camera", look: Look) -> UInt8Array:
-    from popsim.rendering.picture import render_picture
-
-    return render_picture(surface, camera, (look.width, look.height)).pixels
 
 
 def _page(path: Path, look: Look) -> UInt8Array:

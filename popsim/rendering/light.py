@@ -12,7 +12,7 @@ from popsim.geometry.arrays import FloatArray
 
 Image = npt.NDArray[np.float32]
 
-DOME, GROUND = 0.64, 0.46  # brightness of the dome above and of what the ground gives back
+DOME, GROUND = 0.64, 0.56  # brightness of the dome above and of what the ground gives back
 KEY = 0.55  # brightness added by the key light
 KEY_RIGHT, KEY_UP, KEY_EYE = -0.45, 0.75, 0.8  # where it stands, in the axes of the view
 GROUND_TINT = np.array([1.0, 0.985, 0.96], dtype=np.float32)  # what comes from below is a little warmer

@@ -12,6 +12,7 @@ from popsim.geometry.arrays import UInt8Array
 from popsim.geometry.surface import Surface
 from popsim.rendering.camera import Camera
 from popsim.rendering.edges import feature_edges
+from popsim.rendering.floor import with_floor
 from popsim.rendering.frame import Frame, draw_with_rays
 from popsim.rendering.light import LINE, Light
 from popsim.rendering.ray_scene import RayScene
@@ -50,6 +51,7 @@ def render_picture(
     *,
     background: Sequence[int] | None = WHITE,
     shadows: bool = True,
+    floor: float | None = None,
     lines: bool = False,
     samples: int = 2,
     backend: Backend = "rays",
@@ -68,6 +70,8 @@ def render_picture(
         RGB or RGBA, 0..255; None for transparent.
     shadows:
         Soft shadows and darker corners, by rays whatever the backend.
+    floor:
+        Height z of a plane that shows nothing but the shadows on it; only with `shadows`.
     lines:
         Draw outlines, steps and creases.
     samples:
@@ -92,8 +96,9 @@ def render_picture(
         frame = draw_with_opengl(scene, camera, rows, columns)
     else:
         frame = draw_with_rays(scene, camera, rows, columns)
-    colour = frame.colour.copy()
-    colour[colour[..., 3] > 0, :3] *= _light(scene, camera, frame, samples, shadows)
+    if shadows and floor is not None:
+        frame = with_floor(frame, scene, camera, floor)
+    colour = _lit(scene, camera, frame, shadows=shadows)
     if lines:
         edges = feature_edges(frame.mask, frame.normal, frame.point, frame.pixel, samples)
         colour[edges, :3] *= np.float32(LINE)
@@ -116,31 +121,20 @@ def _choose(backend: Backend) -> str:
     return "rays"
 
 
-def _light(scene: RayScene, camera: Camera, frame: Frame, samples: int, shadows: bool) -> Image:
-    """Return the light on the samples of the frame that are not empty, shape (k, 3)."""
+def _lit(scene: RayScene, camera: Camera, frame: Frame, *, shadows: bool) -> Image:
+    """Return the colours of a frame in its light, shape (h, w, 4), multiplied by alpha."""
     light = Light.of_view(camera.right, camera.up, camera.eye, camera.up)
-    seen = np.flatnonzero(frame.colour[..., 3])
-    normals = frame.normal.reshape(-1, 3)[seen]
+    colour = frame.colour.copy()
+    there = colour[..., 3] > 0
     if not shadows:
-        return light.shade(normals)
-    columns = frame.pixel.shape[1]
-    row, column = np.divmod(seen, columns)
-    points = frame.point.reshape(-1, 3)[seen] + camera.target
-    phase = (row % samples) * samples + column % samples
-    key, dome, weight = light_seen(
-        scene,
-        light,
-        points=points,
-        normals=normals,
-        pixel=frame.pixel.ravel()[seen],
-        phase=phase,
-        phases=samples**2,
-    )
-    block = (row // samples) * (columns // samples) + column // samples
-    sums = [np.bincount(block, weights=each) for each in (key, np.ones(len(seen)), dome, weight)]
-    key_seen = sums[0] / np.maximum(sums[1], 1.0)
-    dome_seen = sums[2] / np.maximum(sums[3], 1e-6)
-    return light.shade(normals, *(each.astype(np.float32)[block] for each in (key_seen, dome_seen)))
+        colour[there, :3] *= light.shade(frame.normal[there])
+        return colour
+    key, dome = light_seen(scene, light, frame, camera.target)
+    colour[there, :3] *= light.shade(frame.normal[there], key[there], dome[there])
+    floor = ~there & (frame.pixel > 0)
+    bright = light.shade(frame.normal[floor], key[floor], dome[floor]) / light.shade(frame.normal[floor])
+    colour[floor, 3] = np.clip(1 - bright.mean(axis=1), 0, 1)
+    return colour
 
 
 def _block_sums(image: Image, samples: int) -> Image:

@@ -21,7 +21,7 @@ from popsim.pictures.animation import (
     write_animation,
 )
 from popsim.pictures.moving import MovingPopup
-from popsim.pictures.strip import Look
+from popsim.pictures.look import Look
 from popsim.pictures.video import write_mp4
 from popsim.verification import verify
 

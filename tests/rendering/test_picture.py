@@ -113,3 +113,30 @@ def test_opengl_agrees_with_rays(field, shadows, lines):
     assert apart.mean() < 3.0
     flipped = np.abs(rays.pixels.astype(int) - gl.pixels[:, ::-1])[one & two[:, ::-1]]
     assert flipped.mean() > 20.0  # the measure can tell pictures apart
+
+
+def test_shadows_fade_without_bands():
+    plates = joined(upright(), upright(2.0, low=(-5, 3), high=(15, 20)))
+    pixels = render_picture(plates, above(10.0), (400, 300)).pixels.astype(float)
+    profile = pixels[215:, 200, 1]  # from under the plate into the light
+    assert np.ptp(profile) > 40
+    assert len(np.unique(profile)) > 25
+    assert (np.diff(profile) >= -1).all() and np.diff(profile).max() <= 8
+
+
+def test_a_floor_shows_shadows_and_nothing_else():
+    plate = upright(3.0, low=(3, 3), high=(7, 7), colour=[1, 0, 0, 1])
+    bare, floored = (
+        render_picture(plate, above(24.0), SIZE, background=None, floor=z).pixels.astype(int) for z in (None, 0.0)
+    )
+    plate_seen = bare[..., 3] == 255
+    assert np.abs(bare - floored)[plate_seen].max() <= 1
+    caught = floored[..., 3][~plate_seen & (bare[..., 3] == 0)]
+    assert caught.max() > 60
+    assert floored[2, 2, 3] < 12
+    assert (floored[..., :3][(bare[..., 3] == 0) & (floored[..., 3] > 0)] == 0).all()
+
+
+def test_a_floor_behind_the_eye_is_not_seen():
+    pixels = render_picture(upright(low=(2, 2), high=(8, 8)), above(), SIZE, background=None, floor=60.0).pixels
+    assert (pixels[:5, :, 3] == 0).all()
