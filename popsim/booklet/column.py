@@ -10,10 +10,13 @@ from popsim.layout.sheet import Mark, Sheet, Text, shifted, wrapped
 LEADING = 1.4
 """Line pitch in font sizes."""
 
+LETTER = 0.54
+"""Width of a letter of a sentence in font sizes; the mean of steps' sentences is 0.51."""
+
 
 def text_height(text: str, size: float, width: float) -> float:
     """Height of a paragraph, mm."""
-    return len(wrapped(text, size, width)) * LEADING * size
+    return len(wrapped(text, size, width, letter=LETTER)) * LEADING * size
 
 
 @dataclass
@@ -35,7 +38,7 @@ class Column:
 
     def paragraph(self, text: str, size: float, ink: Ink = Ink.TEXT, *, bold: bool = False) -> None:
         """Write a text below what is there."""
-        for line in wrapped(text, size, self.width):
+        for line in wrapped(text, size, self.width, letter=LETTER):
             self.top -= LEADING * size
             base = np.array([self.left, self.top + 0.3 * size])
             self.marks.append(Text(ink, line, base, size, bold=bold))

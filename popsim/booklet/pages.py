@@ -65,12 +65,15 @@ def _reading(form: Format) -> Column:
     column.paragraph(wording.LEGEND, HEADING, bold=True)
     column.skip(1.5)
     for sample, meaning in legend():
-        start = column.top
-        column.drawing(sample)
         words = column.indented(sample.width + 4.0)
-        words.top = start - (sample.height - text_height(meaning, form.body, words.width)) / 2
+        height = text_height(meaning, form.body, words.width)
+        row = max(sample.height, height) + 0.8
+        words.skip((row - height) / 2)
         words.paragraph(meaning, form.body)
-        column.top = min(column.top, words.top) - 0.8
+        end = column.top - row
+        column.skip((row - sample.height) / 2)
+        column.drawing(sample)
+        column.top = end
     column.skip(4.0)
     _list(column, form, wording.ADVICE, wording.TIPS)
     return column

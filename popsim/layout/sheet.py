@@ -146,6 +146,9 @@ def text_width(text: str, size: float) -> float:
     return TEXT_WIDTH * size * len(text)
 
 
-def wrapped(text: str, size: float, width: float) -> list[str]:
-    """Lines of a text whose estimated width is at most `width` mm; a single longer word stays whole."""
-    return wrap(text, max(1, int(width / (TEXT_WIDTH * size))), break_long_words=False)
+def wrapped(text: str, size: float, width: float, *, letter: float = TEXT_WIDTH) -> list[str]:
+    """Lines of a text that are estimated to be at most `width` mm wide; a single longer word stays whole.
+
+    `letter` is the width of a letter in font sizes: less in sentences, with their spaces, than in numbers.
+    """
+    return wrap(text, max(1, int(width / (letter * size))), break_long_words=False)

@@ -63,6 +63,14 @@ def test_pages_are_half_a_sheet(document: pypdfium2.PdfDocument) -> None:
         assert np.array(page.get_size()) * 25.4 / 72 == pytest.approx([148.5, 210.0])
 
 
+def test_no_line_of_text_runs_out_of_its_column(document: pypdfium2.PdfDocument) -> None:
+    margin = Format(Paper("any", 148.5, 210.0)).margin / 25.4 * 72
+    for page in document:
+        text = page.get_textpage()
+        rights = [text.get_rect(k)[2] for k in range(text.count_rects())]
+        assert max(rights) <= page.get_width() - margin
+
+
 @pytest.mark.parametrize("name", PAPERS)
 def test_pages_are_never_too_narrow_to_read(name: str) -> None:
     form = booklet_format(find_paper(name))
