@@ -23,6 +23,22 @@ def parse_length(text: str, name: str) -> float:
     return value
 
 
+def parse_scale(text: str, name: str) -> float:
+    """Return a scale, as "1:87" or "0.5", as a factor.
+
+    Raises
+    ------
+    InputError
+        The text is no positive scale.
+    """
+    match = re.fullmatch(r"\s*([0-9]*\.?[0-9]+)\s*(?::\s*([0-9]*\.?[0-9]+))?\s*", text)
+    below = float(match[2] or 1) if match else 0.0
+    value = float(match[1]) / below if match and below > 0 else 0.0
+    if not value > 0:
+        raise InputError(f"{name}: {text!r} is not a scale; write for example 1:87 or 0.5")
+    return value
+
+
 def parse_colour(text: str, name: str) -> str:
     """Return a colour as #rrggbb; names of CSS are known.
 

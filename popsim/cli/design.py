@@ -43,8 +43,19 @@ def design(
     size: Annotated[
         str | None, typer.Option(help="Longest side of the model, e.g. 120mm; by default what the paper allows.")
     ] = None,
+    scale: Annotated[str | None, typer.Option(help="Or its scale, as 1:87; units are mm, in glTF metres.")] = None,
+    card: Annotated[
+        str | None, typer.Option(help="The card when folded, as A5 or 180x120mm; the model is made to fit.")
+    ] = None,
+    wishes: Annotated[
+        Path | None,
+        typer.Option(metavar="FILE", help="What to keep, forbid and pin; each run writes such a file."),
+    ] = None,
+    forbid: Annotated[
+        list[str] | None, typer.Option(metavar="MECHANISM", help="Never use it, as v-fold-1; may be repeated.")
+    ] = None,
     detail: Annotated[float, typer.Option(help="0: few patches, 1: many.")] = 0.5,
-    max_patches: Annotated[int, typer.Option(help="Never make more patches.")] = 120,
+    max_patches: Annotated[int | None, typer.Option(help="Never make more patches.", show_default="120")] = None,
     paper: Annotated[
         str, typer.Option(help='Sheet (A4, Letter, 300x400mm), weight (200gsm) or both ("Letter 160gsm").')
     ] = "A4",
@@ -71,6 +82,7 @@ def design(
 
     Exit code 0: designed and verified. 1: it does not fold, see the report. 2: something is wrong with the input.
     """
+    from popsim.cli.choices import chosen_size, chosen_wishes, most_patches
     from popsim.cli.table import print_verdict
     from popsim.fitting import FitSettings
     from popsim.layout import LayoutSettings
@@ -79,6 +91,7 @@ def design(
     from popsim.pipeline.deliver import deliver
     from popsim.pipeline.folder import check_folder
     from popsim.pipeline.prepare import Stance
+    from popsim.pipeline.wishes import Hand, load_wishes
     from popsim.stock import split_stock
     from popsim.units import parse_colour, parse_length
 
@@ -86,12 +99,16 @@ def design(
     behind = None if reverse is None else parse_colour(reverse, "--reverse")
     folder = output or Path(f"{model.stem}-popup")
     stock, sheet = split_stock(paper)
+    hand = Hand() if wishes is None else load_wishes(wishes)
+    chosen, exact = chosen_size(size, scale, hand)
     settings = RunSettings(
         stance=Stance(up, front, align, fold.value),
-        fit=FitSettings(detail=detail, most_patches=max_patches),
+        fit=FitSettings(detail, most_patches(max_patches, hand), chosen_wishes(hand, forbid or ())),
         patches=PatchSettings(dpi=dpi, base=base, bleed=bled + SPARE, reverse=behind),
-        size=150.0 if size is None else parse_length(size, "--size"),
-        exact_size=size is not None,
+        size=chosen,
+        exact_size=exact,
+        card=card,
+        wishes_for=hand.sha256,
         paper=sheet or "A4",
         style=style,
         layout=LayoutSettings(grain=grain, registration=registration, bleed=bled, stock=stock),
@@ -103,7 +120,7 @@ def design(
     settings.check_choices()
     check_folder(folder, force)
     run = run_design(model, settings, lambda stage: typer.echo(f"{stage} ...", err=True))
-    command = _command(model, settings)
+    command = _command(model, settings, wishes)
     files = deliver(run, folder, command=command, footer=_footer(run, command), force=force)
     print_verdict(run.verdict, model.name)
     kinds = ", ".join(f"{m.mechanism.id} {m.mechanism.type}" for m in run.fit.placements)
@@ -112,14 +129,20 @@ def design(
     raise typer.Exit(0 if run.verdict.passed else 1)
 
 
-def _command(model: Path, settings: "RunSettings") -> str:
+def _command(model: Path, settings: "RunSettings", wishes: Path | None) -> str:
     """The options that reproduce a run, without the folder it was written to."""
     stance = settings.stance
     words = ["popsim design", model.name, f"--up {stance.up}", f"--align {stance.align}", f"--fold {stance.fold}"]
     if stance.front:
         words.append(f"--front {stance.front}")
     if settings.exact_size:
-        words.append(f"--size {settings.size:g}mm")
+        number = settings.size
+        words.append(f"--size {number:g}mm" if isinstance(number, float) else f"--scale {number}")
+    if settings.card:
+        words.append(f"--card '{settings.card}'")
+    if wishes:
+        words.append(f"--wishes {wishes.name}")
+    words += [f"--forbid {name}" for name in sorted(settings.fit.wishes.forbidden)]
     words += [f"--detail {settings.fit.detail:g}", f"--max-patches {settings.fit.most_patches}"]
     words += [f"--base {settings.patches.base}", f"--bleed {settings.layout.bleed:g}mm"]
     if settings.patches.reverse:

@@ -178,6 +178,11 @@ class Mechanism(ABC):
         poses = self.poses(theta)
         return np.concatenate([transform(poses[plate.role], plate.outline) for plate in self.plates()], axis=1)
 
+    @classmethod
+    def derived(cls, known: Mapping[str, Any]) -> dict[str, Any]:
+        """Parameters that follow from those that are `known`, where nobody states them."""
+        return {}
+
     def face_box(self) -> FloatArray:
         """Box around the faces in the open pose, rows low and high, shape (2, 3), mm."""
         corners = np.concatenate([plate.outline for plate in self.plates()])

@@ -1,6 +1,6 @@
 """Box-fold: sides, backbone and tops of a box, kept from shearing by front and back pairs (Sec. 3.2.4, Fig. 6)."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from itertools import pairwise
 from typing import Any, Literal, NamedTuple, Self
@@ -216,6 +216,10 @@ class BoxFold(Mechanism):
         within = pair.x[0] <= tops[0].x0 and tops[-1].x1 <= pair.x[1] and 0 < half <= min(pair.reach)
         if within and min(top.height for top in tops) > 0:
             yield cls.stepped(id, pair, half, tops)
+
+    @classmethod
+    def derived(cls, known: Mapping[str, Any]) -> dict[str, Any]:
+        return {"end_pairs": step_pairs(known["tops"])} if "tops" in known else {}
 
     def primitive(self) -> Primitive:
         return PrismRow(self.half_width, self.pair.v, tuple((top.x0, top.x1, top.height) for top in self.tops))

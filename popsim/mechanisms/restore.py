@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from dataclasses import fields
 from typing import Any, get_type_hints
 
-from popsim.errors import DesignError
+from popsim.errors import DesignError, GeometryError
 from popsim.mechanisms.base import Mechanism
 from popsim.mechanisms.pair import BasePatchPair
 from popsim.mechanisms.registry import mechanism_type
@@ -18,7 +18,7 @@ def restored(type: str, parameters: Mapping[str, Any], pair: BasePatchPair, id: 
     type:
         Its name in the registry.
     parameters:
-        As JSON or YAML holds them; those with a default may be missing.
+        As JSON or YAML holds them; those with a default, or that follow from others, may be missing.
     pair, id:
         Where it stands, and what it is called.
 
@@ -44,7 +44,20 @@ def restored(type: str, parameters: Mapping[str, Any], pair: BasePatchPair, id: 
             problem = error.errors()[0]["msg"]
             raise DesignError(f"{id}: parameter '{name}' of a {type}: {problem}; found {value!r}") from None
     try:
-        return kind(id, pair, **values)
+        return kind(id, pair, **{**kind.derived(values), **values})
     except TypeError:
-        missing = [name for name in own if name not in values]
+        missing = [name for name in own if name not in {**kind.derived(values), **values}]
         raise DesignError(f"{id}: a {type} needs the parameters {', '.join(own)}; missing: {missing[0]}") from None
+
+
+def essential(mechanism: Mechanism) -> dict[str, Any]:
+    """Return the parameters of a mechanism that do not follow from the others."""
+    found = mechanism.parameters()
+    for name in list(found):
+        rest = {key: value for key, value in found.items() if key != name}
+        try:
+            alike = restored(mechanism.type, rest, mechanism.pair, mechanism.id) == mechanism
+        except (DesignError, GeometryError):
+            continue
+        found = rest if alike else found
+    return found

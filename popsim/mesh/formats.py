@@ -21,16 +21,22 @@ class ModelFormat:
         axes not listed are taken to be :data:`OTHER_AXIS`.
     linear_colours:
         Whether colour factors are linear light (glTF 2.0, 3.9.2) and not display values.
+    unit:
+        mm that one unit of a file stands for, by the standard; 1 where there is none.
     """
 
     name: str
     reader: str
     up: dict[str, float]
     linear_colours: bool = False
+    unit: float = 1.0
 
 
 OTHER_AXIS = 0.01
 """Prior weight of an axis that no custom of a format calls up; not zero, for files do break customs."""
+
+METRE = 1000.0
+"""mm; the unit of glTF 2.0 (3.4)."""
 
 _GLTF_UP = {"y": 0.95, "z": 0.02}  # glTF 2.0, 3.4: +y is up; exporters turn the model
 _OBJ_UP = {"y": 0.60, "z": 0.35}  # no rule: y from games and modellers, z from CAD and robotics
@@ -42,8 +48,8 @@ FORMATS: dict[str, ModelFormat] = {
     ".stl": ModelFormat("STL", "stl", _PRINT_UP),
     ".ply": ModelFormat("PLY", "ply", _SCAN_UP),
     ".off": ModelFormat("OFF", "off", _SCAN_UP),
-    ".glb": ModelFormat("GLB", "glb", _GLTF_UP, linear_colours=True),
-    ".gltf": ModelFormat("glTF", "gltf", _GLTF_UP, linear_colours=True),
+    ".glb": ModelFormat("GLB", "glb", _GLTF_UP, linear_colours=True, unit=METRE),
+    ".gltf": ModelFormat("glTF", "gltf", _GLTF_UP, linear_colours=True, unit=METRE),
     ".3mf": ModelFormat("3MF", "3mf", _PRINT_UP),
 }
 """Suffix (lower case, with its dot) to format. A new format is one more row."""

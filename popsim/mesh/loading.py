@@ -59,6 +59,7 @@ def load_model(path: Path | str) -> Model:
         sha256=hashlib.sha256(data).hexdigest(),
         surface=surface,
         format=known.name,
+        unit=known.unit,
         notes=(*notes, *problems, *dropped),
     )
 

@@ -19,6 +19,8 @@ class Model:
     surface:
         Triangles in *model coordinates*: the scene's own, with the transforms of its nodes applied, in the
         file's unit and before any change of the up axis.
+    unit:
+        mm that one unit of the model coordinates stands for.
     format:
         Name of the format, a value of :data:`popsim.mesh.formats.FORMATS`.
     notes:
@@ -29,4 +31,5 @@ class Model:
     sha256: str
     surface: Surface
     format: str
+    unit: float = 1.0
     notes: tuple[str, ...] = ()

@@ -20,9 +20,8 @@ def abstract(prepared: Prepared, settings: FitSettings, seed: int) -> Fit:
         Nothing of it is solid enough.
     """
     from popsim.mesh.sampling import sample_surface
-    from popsim.rendering.ray_scene import RayScene
 
-    scene = RayScene(prepared.surface.bare())
+    scene = prepared.scene.opaque()
     volume = measure_volume(scene, prepared.bounds)
     samples = sample_surface(prepared.surface, POINTS, seed=seed)
     planes = Planes.of(samples.points, samples.normals, samples.area, GATHER)

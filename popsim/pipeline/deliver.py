@@ -3,20 +3,25 @@
 import json
 from pathlib import Path
 
+from popsim.design import Source
 from popsim.pipeline.folder import fill_folder
 from popsim.pipeline.prints import write_prints
 from popsim.pipeline.report import report_of
 from popsim.pipeline.run import DesignRun
+from popsim.pipeline.wishes import wishes_text
 
 UNVERIFIED = "NOT VERIFIED: this design failed the folding test"
 
 REPORT = "report.json"
 
+WISHES = "wishes.yaml"
+
 
 def deliver(run: DesignRun, folder: Path, *, command: str, footer: str, force: bool) -> tuple[Path, ...]:
-    """Write design, textures, sheets, booklet, assembly steps and report; all of them, or nothing.
+    """Write design, textures, sheets, booklet, assembly steps, wishes and report; all of them, or nothing.
 
-    A design that failed verification is not exported: only its report is written, unless the settings allow it.
+    A design that failed verification is not exported, unless the settings allow it: only its wishes and its
+    report are written.
 
     Returns
     -------
@@ -44,6 +49,18 @@ def _fill(run: DesignRun, folder: Path, command: str, footer: str) -> list[Path]
         plan, prints = write_prints(run.design, folder, run.settings, name=title, footer=footer, banner=banner)
         layout = plan.layout
         made += prints
+    (folder / WISHES).write_text(_wishes(run, command))
     report = json.dumps(report_of(run, layout, command), indent=1, allow_nan=False)
     (folder / REPORT).write_text(report + "\n")
-    return [*made, folder / REPORT]
+    return [*made, folder / WISHES, folder / REPORT]
+
+
+def _wishes(run: DesignRun, command: str) -> str:
+    model = run.prepared.model
+    return wishes_text(
+        run.fit.mechanisms,
+        size=run.prepared.longest,
+        most_patches=run.settings.fit.most_patches,
+        source=Source(file=model.path.name, sha256=model.sha256),
+        command=command,
+    )

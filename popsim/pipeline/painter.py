@@ -11,10 +11,9 @@ from popsim.patches import Painted, PatchSettings
 from popsim.patches.base_page import base_prints
 from popsim.patches.cut import Cut, cut
 from popsim.patches.paint import paint_cut, with_base
-from popsim.pipeline.page import fitting_card
+from popsim.pipeline.page import Page, fitting_card
 from popsim.pipeline.prepare import Prepared
 from popsim.pipeline.territory import territories
-from popsim.rendering.ray_scene import RayScene
 from popsim.verification import Verdict, verify
 
 REPAIRS = 4
@@ -27,9 +26,11 @@ Held = frozenset[str]
 class Painter:
     """Makes designs of one fit."""
 
-    def __init__(self, prepared: Prepared, fit: Fit, settings: PatchSettings, path: Path) -> None:
-        self.prepared, self.fit, self.settings, self.path = prepared, fit, settings, path
-        self.scene = RayScene(prepared.surface)
+    def __init__(
+        self, prepared: Prepared, fit: Fit, settings: PatchSettings, path: Path, page: Page | None = None
+    ) -> None:
+        self.prepared, self.fit, self.settings, self.path, self.page = prepared, fit, settings, path, page
+        self.scene = prepared.scene
         self.territories = territories(fit.mechanisms, prepared.bounds)
         self._cuts: dict[Held, Cut] = {}
         self.everything: Held = frozenset(m.patch_id(p.role) for m in fit.mechanisms for p in m.plates())
@@ -41,7 +42,9 @@ class Painter:
             self._cuts[held] = cut(self.fit.mechanisms, self.scene, self.territories, chosen)
         painted = paint_cut(self._cuts[held], self.scene, chosen, prints=prints)
         outlines: dict[str, FloatArray] = {name: shape.outline for name, shape in painted.shapes.items()}
-        card = fitting_card(self.fit.mechanisms, outlines).model_copy(update={"reverse": chosen.reverse})
+        card = fitting_card(self.fit.mechanisms, outlines, self.page).model_copy(
+            update={"reverse": chosen.reverse}
+        )
         if prints:
             painted = with_base(painted, base_prints(self.scene, card, self.fit.mechanisms, chosen), card)
         a, b, c, d = (tuple(float(value) for value in row) for row in self.prepared.to_card)

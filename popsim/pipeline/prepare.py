@@ -6,12 +6,28 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from popsim.errors import InputError
 from popsim.geometry.arrays import FloatArray
 from popsim.geometry.surface import Surface
+from popsim.rendering.ray_scene import RayScene
 
 if TYPE_CHECKING:
     from popsim.mesh.alignment import Alignment, Fold
     from popsim.mesh.model import Model
+
+SMALLEST, LARGEST = 20.0, 2000.0
+"""mm; a longest side outside this is a mistake in units rather than a wish."""
+
+
+@dataclass(frozen=True)
+class Scale:
+    """The size of a model stated by its scale: `ratio` mm on the card for each mm of the thing itself."""
+
+    ratio: float
+
+    def __str__(self) -> str:
+        inverse = 1 / self.ratio
+        return f"1:{inverse:g}" if abs(inverse - round(inverse)) < 1e-9 * inverse else f"{self.ratio:g}"
 
 
 @dataclass(frozen=True, eq=False)
@@ -24,8 +40,8 @@ class Prepared:
         As loaded, and as aligned.
     to_card:
         Model coordinates to card frame, shape (4, 4).
-    surface:
-        In the card frame, mm.
+    scene:
+        The model in the card frame, mm, for rays.
     bounds:
         What counts of it, rows low and high, mm, shape (2, 3).
     """
@@ -33,18 +49,24 @@ class Prepared:
     model: "Model"
     alignment: "Alignment"
     to_card: FloatArray
-    surface: Surface
+    scene: RayScene
     bounds: FloatArray
+
+    @property
+    def surface(self) -> Surface:
+        """In the card frame, mm."""
+        return self.scene.surface
+
+    @property
+    def longest(self) -> float:
+        """Longest side of what counts, mm."""
+        return float(np.ptp(self.bounds, axis=0).max())
 
     def scaled(self, factor: float) -> "Prepared":
         """The same model `factor` times as large."""
         grow = np.diag([factor, factor, factor, 1.0])
         return Prepared(
-            self.model,
-            self.alignment,
-            grow @ self.to_card,
-            self.surface.transformed(grow),
-            self.bounds * factor,
+            self.model, self.alignment, grow @ self.to_card, self.scene.scaled(factor), self.bounds * factor
         )
 
 
@@ -63,20 +85,33 @@ class Stance:
         check_options(self.up, self.front, self.align, self.fold)
 
 
-def prepare(path: Path, stance: Stance, size: float, seed: int) -> Prepared:
-    """Load a model, align it, and scale its longest side to `size` mm.
+def prepare(path: Path, stance: Stance, size: float | Scale, seed: int) -> Prepared:
+    """Load a model, align it, and bring it to a size: its longest side in mm, or a scale.
 
     Raises
     ------
     MeshError
         The file is no model, or holds nothing to fold.
+    InputError
+        The scale makes it no pop-up: too small to cut, or larger than any table.
     """
     from popsim.mesh.alignment import align
     from popsim.mesh.loading import load_model
 
     model = load_model(path)
     alignment = align(model, up=stance.up, front=stance.front, method=stance.align, fold=stance.fold, seed=seed)
-    aligned = Prepared(
-        model, alignment, alignment.matrix, model.surface.transformed(alignment.matrix), alignment.box.bounds
-    )
-    return aligned.scaled(size / float(np.ptp(alignment.box.bounds, axis=0).max()))
+    longest = float(np.ptp(alignment.box.bounds, axis=0).max())
+    factor = size.ratio * model.unit if isinstance(size, Scale) else size / longest
+    if isinstance(size, Scale):
+        what = f"at a scale of {size} the model, {longest:g} units of {model.unit:g} mm long, has {{}}"
+        check_size(longest * factor, what)
+    to_card = np.diag([factor, factor, factor, 1.0]) @ alignment.matrix
+    scene = RayScene(model.surface.transformed(to_card))
+    return Prepared(model, alignment, to_card, scene, alignment.box.bounds * factor)
+
+
+def check_size(longest: float, what: str = "size: {}") -> None:
+    """Raise InputError for a longest side, mm, that is a mistake in units; `what` says where it comes from."""
+    if not SMALLEST <= longest <= LARGEST:
+        found = what.format(f"{longest:.3g} mm")
+        raise InputError(f"{found}; expected {SMALLEST:g} to {LARGEST:g} mm")

@@ -26,9 +26,12 @@ def report_of(run: DesignRun, layout: Layout | None, command: str) -> dict[str, 
             "symmetry_centred": prepared.alignment.symmetry.centred,
             "reasons": list(prepared.alignment.reasons),
         },
+        "size": {"longest_mm": _rounded(prepared.longest), "unit_mm": prepared.model.unit},
         "fit": {
             "silhouette": _rounded(fit.likeness.silhouette),
             "relief": _rounded(fit.likeness.relief),
+            "kept": [mechanism.id for mechanism in run.settings.fit.wishes.kept],
+            "forbidden": sorted(run.settings.fit.wishes.forbidden),
             "placements": [
                 {
                     "mechanism": placement.mechanism.id,

@@ -4,26 +4,17 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
-import numpy as np
-
-from popsim.design import Card, Design
+from popsim.design import Design
 from popsim.fitting import Fit
-from popsim.layout import find_paper
 from popsim.patches import Painted
 from popsim.pipeline.abstract import abstract
-from popsim.pipeline.painter import Painter
 from popsim.pipeline.prepare import Prepared, prepare
 from popsim.pipeline.settings import RunSettings
+from popsim.pipeline.sizing import sized
 from popsim.verification import Verdict, verify
 
 Progress = Callable[[str], None]
 """Called with the name of each stage as it starts."""
-
-SPARSE = 0.3
-"""Share of its faces on which a mechanism must show the model to be worth its paper."""
-
-CLEARANCE = 0.97
-"""Pages are made to use this much of a sheet, so that rounding up still fits."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -71,7 +62,7 @@ def run_design(
     progress("fitting prisms")
     fit = abstract(prepared, settings.fit, settings.seed)
     progress("cutting patches")
-    painter, design, notes = _sized(prepared, fit, settings, path)
+    painter, design, notes = sized(prepared, fit, settings, path)
     progress("folding it")
     held, verdict = painter.verified(design)
     progress("painting patches")
@@ -84,6 +75,9 @@ def run_design(
         notes.append(f"gaps of up to {fit.closed_gap:.0f} mm were taken as solid to find the model's shape")
     if held:
         notes.append(f"contours cut back to their faces because they got in the way: {', '.join(sorted(held))}")
+    if settings.wishes_for not in (None, prepared.model.sha256):
+        notes.append("the wishes were written for another model, or for another version of this one")
+    notes += settings.fit.wishes.unmet(fit.mechanisms)
     return DesignRun(settings, prepared, fit, painted, design, verdict, tuple(notes))
 
 
@@ -91,38 +85,3 @@ def _plain(design: Design) -> Design:
     """The design without its prints."""
     bare = [patch.model_copy(update={"texture": None, "texture_frame": None}) for patch in design.patches]
     return design.model_copy(update={"patches": tuple(bare)})
-
-
-def _sized(prepared: Prepared, fit: Fit, settings: RunSettings, path: Path) -> tuple[Painter, Design, list[str]]:
-    """A painter whose pages fit a sheet, its first design, and what had to be changed for it.
-
-    What shows almost nothing of the model once its contours are cut is left out.
-    """
-    notes = []
-    painter = Painter(prepared, fit, settings.patches, path)
-    painted, design = painter.make(frozenset(), prints=False)
-    sparse = [name for name, share in painted.coverage.items() if share < SPARSE]
-    kept = fit.without(sparse)
-    if kept is not None and kept.mechanisms != fit.mechanisms:
-        fit = kept
-        notes.append(f"{len(sparse)} of the mechanisms would have shown almost nothing of the model: left out")
-        painter = Painter(prepared, fit, settings.patches, path)
-        painted, design = painter.make(frozenset(), prints=False)
-    factor = 1.0
-    while not settings.exact_size and (shrink := _shrink(design.card, settings)) < 1:
-        factor *= shrink
-        prepared, fit = prepared.scaled(shrink), fit.scaled(shrink)
-        painter = Painter(prepared, fit, settings.patches, path)
-        painted, design = painter.make(frozenset(), prints=False)
-    if factor < 1:
-        size = f"{settings.size * factor:.1f} mm"
-        notes.append(f"scaled to {size} so that each page fits a sheet of {settings.paper}")
-    return painter, design, notes
-
-
-def _shrink(card: Card, settings: RunSettings) -> float:
-    """Factor by which a card must shrink for a page and the flap on its fold to fit a sheet; 1 where they do."""
-    page = np.array([card.x[1] - card.x[0], card.depth + settings.layout.seam_depth])
-    sheet = np.array(settings.layout.area(find_paper(settings.paper)))
-    room = max(float((sheet / page).min()), float((sheet[::-1] / page).min()))
-    return 1.0 if room >= 1 else CLEARANCE * room

@@ -2,14 +2,11 @@
 
 from dataclasses import dataclass, field
 
-from popsim.errors import InputError
 from popsim.fitting import FitSettings
 from popsim.layout import LayoutSettings
 from popsim.patches import PatchSettings
-from popsim.pipeline.prepare import Stance
-
-SMALLEST, LARGEST = 20.0, 2000.0
-"""mm; a longest side outside this is a mistake in units rather than a wish."""
+from popsim.pipeline.page import Page, given_pages
+from popsim.pipeline.prepare import Scale, Stance, check_size
 
 
 @dataclass(frozen=True)
@@ -19,10 +16,13 @@ class RunSettings:
     Attributes
     ----------
     size:
-        Longest side of the model on the card, mm. It is made smaller if its pages would not fit a sheet, unless
-        `exact_size`.
+        Longest side of the model on the card, mm, or its scale. It is made smaller if its pages would not fit a
+        sheet, unless `exact_size`.
     exact_size:
         Keep `size`; pages larger than a sheet are then split over several.
+    card:
+        What the folded card shall be, as "A5" (see :func:`popsim.pipeline.page.given_pages`); the model is made
+        as large as it holds. By default as small as holds the model.
     paper:
         Sheet format, e.g. "A4".
     style:
@@ -37,13 +37,16 @@ class RunSettings:
         Of everything random.
     allow_unverified:
         Export a design that failed verification, every sheet marked.
+    wishes_for:
+        SHA-256 of the model that the wishes were written for, or None.
     """
 
     stance: Stance = field(default_factory=Stance)
     fit: FitSettings = field(default_factory=FitSettings)
     patches: PatchSettings = field(default_factory=PatchSettings)
-    size: float = 150.0
+    size: float | Scale = 150.0
     exact_size: bool = False
+    card: str | None = None
     paper: str = "A4"
     style: str = "origami"
     layout: LayoutSettings = field(default_factory=LayoutSettings)
@@ -51,10 +54,16 @@ class RunSettings:
     formats: tuple[str, ...] = ("pdf", "svg")
     seed: int = 0
     allow_unverified: bool = False
+    wishes_for: str | None = None
 
     def __post_init__(self) -> None:
-        if not SMALLEST <= self.size <= LARGEST:
-            raise InputError(f"size must lie between {SMALLEST:g} and {LARGEST:g} mm, not {self.size:g} mm")
+        if not isinstance(self.size, Scale):
+            check_size(self.size)
+
+    @property
+    def pages(self) -> tuple[Page, ...]:
+        """Pages that the given card may have; none where no card is given."""
+        return () if self.card is None else given_pages(self.card)
 
     def check_choices(self) -> None:
         """Raise InputError for paper, style or formats that do not exist, before any work is done."""
@@ -63,6 +72,7 @@ class RunSettings:
         from popsim.layout import find_paper
 
         self.layout.area(find_paper(self.paper))
+        _ = self.pages
         find_style(self.style)
         for name in self.formats:
             find_writer(name)

@@ -44,6 +44,11 @@ class FacePlanes:
         constant = -np.einsum("mcd,md->mc", gradient, corners[:, 0])
         return cls(corners, normals, np.einsum("md,md->m", normals, corners[:, 0]), gradient, constant)
 
+    def scaled(self, factor: float) -> "FacePlanes":
+        """Return the planes of the triangles `factor` times as large about the origin."""
+        gradient = self.gradient / factor
+        return FacePlanes(self.corners * factor, self.normals, self.offset * factor, gradient, self.constant)
+
     def meet(
         self, face: IntArray, origins: FloatArray, directions: FloatArray, rough: FloatArray
     ) -> tuple[FloatArray, FloatArray]:

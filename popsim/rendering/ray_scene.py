@@ -1,6 +1,7 @@
 """Rays against a surface: found by Embree, then made exact in double precision."""
 
 from collections.abc import Callable, Iterator
+from copy import copy
 from functools import cached_property
 from typing import Any, NamedTuple
 
@@ -101,6 +102,25 @@ class RayScene:
         nowhere = np.zeros((1, 3), dtype=np.float32)
         scene.run(nowhere, nowhere + 1)  # builds the tree now, before threads share it
         return scene, mesh
+
+    def opaque(self) -> "RayScene":
+        """Return the shape alone, white and without holes, for the price of its colours."""
+        return self._sharing(self.surface.bare())
+
+    def scaled(self, factor: float) -> "RayScene":
+        """Return the surface `factor` times as large about the origin; what rays need is not built again."""
+        grow = np.diag([factor, factor, factor, 1.0])
+        other = self._sharing(self.surface.transformed(grow))
+        other._centre = self._centre * factor
+        other.size, other.tolerance = self.size * factor, self.tolerance * factor
+        other._planes = self._planes.scaled(factor)
+        return other
+
+    def _sharing(self, surface: Surface) -> "RayScene":
+        """Return a scene of another surface with the same faces, up to scale."""
+        other = copy(self)
+        other.surface, other.paint = surface, Paint(surface)
+        return other
 
     @cached_property
     def corner_normals(self) -> npt.NDArray[np.float32]:

@@ -9,14 +9,13 @@ from popsim.fitting.snap import Planes
 from popsim.mesh.sampling import sample_surface
 from popsim.pipeline.abstract import GATHER
 from popsim.pipeline.prepare import Stance, prepare
-from popsim.rendering.ray_scene import RayScene
 
 POINTS = (5_000, 20_000, 80_000)
 
 
 def test_fitting(models: Path, report: Report) -> None:
     prepared = prepare(models / "truck" / "truck.obj", Stance(), 150.0, seed=0)
-    scene = RayScene(prepared.surface.bare())
+    scene = prepared.scene.opaque()
     volume = measure_volume(scene, prepared.bounds)
     rows, costs = [], []
     for count in POINTS:

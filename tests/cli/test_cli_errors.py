@@ -73,3 +73,27 @@ def test_unwritable_folder_is_named(popsim, tmp_path: Path) -> None:
     done = popsim("design", "m.obj", "-o", "m.obj/out")
     assert done.returncode == 2
     assert "m.obj/out cannot be made" in done.stderr
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (("--forbid", "pleat"), "--forbid: there is no mechanism 'pleat'"),
+        (("--wishes", "none.yaml"), "wishes none.yaml does not exist"),
+        (("--wishes", "w.yaml"), "w.yaml: keeep: extra inputs are not permitted"),
+        (("--scale", "1:0"), "--scale: '1:0' is not a scale"),
+        (("--scale", "1:2", "--size", "9cm"), "--size and --scale both say how large"),
+        (("--card", "A12"), "paper 'A12' is not known"),
+        (
+            ("--align", "30"),
+            "align: '30' is unknown; expected one of npca, edges, none, or an angle such as 30deg",
+        ),
+    ],
+)
+def test_the_users_hand_slips(popsim, tmp_path: Path, arguments: tuple[str, ...], words: str) -> None:
+    (tmp_path / "m.obj").write_text(TRIANGLE)
+    (tmp_path / "w.yaml").write_text("keeep: []")
+    done = popsim("design", "m.obj", *arguments)
+    assert done.returncode == 2, done.stdout + done.stderr
+    assert words in done.stderr
+    assert done.stderr.count("\n") == 1

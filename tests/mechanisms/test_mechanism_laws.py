@@ -17,7 +17,7 @@ from popsim.geometry.plane import Plane
 from popsim.geometry.rigid import transform
 from popsim.mechanisms import MECHANISMS, Mechanism, Members, PairKind
 from popsim.mechanisms.base import FIRST_BASE, SECOND_BASE
-from popsim.mechanisms.restore import restored
+from popsim.mechanisms.restore import essential, restored
 from popsim.verification.random_designs.spoil import spoil
 
 THETA = np.radians([180.0, 179.0, 135.0, 90.0, 45.0, 10.0, 1.0, 0.0])
@@ -234,6 +234,14 @@ def test_a_mechanism_comes_back_from_its_parameters(drawn: Drawn) -> None:
     mechanism = drawn.mechanism
     written = json.loads(json.dumps(mechanism.parameters()))
     assert restored(mechanism.type, written, mechanism.pair, mechanism.id) == mechanism
+
+
+@law
+def test_what_follows_from_other_parameters_may_be_left_out(drawn: Drawn) -> None:
+    mechanism = drawn.mechanism
+    again = restored(mechanism.type, essential(mechanism), mechanism.pair, mechanism.id)
+    assert again == mechanism
+    assert set(essential(mechanism)) <= set(mechanism.parameters())
 
 
 @every_mechanism

@@ -1,15 +1,17 @@
 """The wishes file that a run leaves behind: what it chose, to be edited and run again."""
 
+import json
 from collections.abc import Sequence
 from typing import Any
 
 from popsim.design import Source
 from popsim.mechanisms import Mechanism
+from popsim.mechanisms.restore import essential
 from popsim.pipeline.wishes.model import FORMAT, VERSION
 
 HEAD = """\
 # What popsim chose. Edit it, then run:
-#   {command} --wishes wishes.yaml
+#   {again}
 # keep: mechanisms that stay exactly as they are here. Change a number; delete an entry and all that stands on it.
 # add: true lets popsim add mechanisms to what is kept.
 # forbid: types of mechanisms, for example [v-fold-1, step-fold].
@@ -48,7 +50,8 @@ def wishes_text(
         "keep": [_entry(mechanism) for mechanism in mechanisms],
     }
     body: str = yaml.safe_dump(fields, sort_keys=False, default_flow_style=None, width=110, allow_unicode=True)
-    return HEAD.format(command=command) + body
+    again = command if " --wishes " in command else f"{command} --wishes wishes.yaml"
+    return HEAD.format(again=again) + body
 
 
 def _entry(mechanism: Mechanism) -> dict[str, Any]:
@@ -56,12 +59,5 @@ def _entry(mechanism: Mechanism) -> dict[str, Any]:
         "id": mechanism.id,
         "type": mechanism.type,
         "base": list(mechanism.pair.patches),
-        "parameters": {name: _plain(value) for name, value in mechanism.parameters().items()},
+        "parameters": json.loads(json.dumps(essential(mechanism))),
     }
-
-
-def _plain(value: Any) -> Any:
-    """Tuples, named or not, as lists; numbers of numpy as Python's."""
-    if isinstance(value, tuple):
-        return [_plain(part) for part in value]
-    return value.item() if hasattr(value, "item") else value

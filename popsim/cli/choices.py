@@ -1,0 +1,60 @@
+"""Options of `popsim design` that must be weighed against each other."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from popsim.errors import InputError
+
+if TYPE_CHECKING:
+    from popsim.fitting import Wishes
+    from popsim.pipeline.prepare import Scale
+    from popsim.pipeline.wishes import Hand
+
+USUAL_SIZE = 150.0
+"""mm; longest side of a model where nothing is said of it."""
+
+SAME = 1e-6
+"""mm; sizes that differ by less are one."""
+
+
+def chosen_size(size: str | None, scale: str | None, hand: "Hand") -> tuple["float | Scale", bool]:
+    """Return the size of the model, and whether it may not be made smaller.
+
+    Raises
+    ------
+    InputError
+        An option is no size, or two of --size, --scale and --wishes state different ones.
+    """
+    from popsim.pipeline.prepare import Scale
+    from popsim.units import parse_length, parse_scale
+
+    if size is not None and scale is not None:
+        raise InputError("--size and --scale both say how large the model shall be; give one of them")
+    stated = None if size is None else parse_length(size, "--size")
+    if hand.size is not None:
+        if scale is not None or (stated is not None and abs(stated - hand.size) > SAME):
+            raise InputError(
+                f"the wishes are stated for a model of {hand.size:g} mm; leave out --size and --scale, or change "
+                "them in the wishes, with all lengths there"
+            )
+        return hand.size, True
+    if scale is not None:
+        return Scale(parse_scale(scale, "--scale")), True
+    return (USUAL_SIZE, False) if stated is None else (stated, True)
+
+
+def most_patches(option: int | None, hand: "Hand") -> int:
+    """Return the limit of the option, else of the wishes, else the usual one."""
+    from popsim.fitting import FitSettings
+
+    stated = hand.most_patches if option is None else option
+    return FitSettings().most_patches if stated is None else stated
+
+
+def chosen_wishes(hand: "Hand", forbid: Sequence[str]) -> "Wishes":
+    """Return the wishes of the file and of --forbid; InputError for an unknown mechanism, or if none is left."""
+    from popsim.pipeline.wishes import forbidden_types
+
+    both = hand.wishes.forbidden | forbidden_types(forbid, "--forbid")
+    return replace(hand.wishes, forbidden=forbidden_types(both, "--forbid"))
