@@ -92,7 +92,7 @@ class LoopJacobian:
         arms = transform(poses[:, entries.patch], entries.ends) - anchor[:, entries.column, None]
         swing = cross((entries.sign[:, None] * direction[:, entries.column])[:, :, None], arms)
         matrix = np.zeros((count, len(group.loops), len(columns), 6))
-        matrix[:, entries.row, entries.column] = swing.reshape(count, -1, 6)
+        matrix[:, entries.row, entries.column] = swing.reshape(count, len(entries.row), 6)
         return np.swapaxes(matrix, 2, 3).reshape(count, 6 * len(group.loops), len(columns))
 
     def residual(self, poses: FloatArray, loops: list[int]) -> FloatArray:

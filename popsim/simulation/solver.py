@@ -10,8 +10,8 @@ LOOP_SOLREF = "-1e6 -1e3"
 """Direct stiffness and damping of loops and crease limits, 1/s^2 and 1/s; independent of masses."""
 
 ITERATIONS = 10
-"""Most Newton iterations in a step. Loops that can close take one, and up to four where creases reach limits; plates
-that are flung about by loops that cannot would take hundreds, and no pose of theirs counts."""
+"""Most Newton iterations in a step. Loops that can close take one, and up to four where creases reach limits;
+plates that are flung about by loops that cannot would take hundreds, and no pose of theirs counts."""
 
 PRELOAD = 0.1
 """Torque that sends a flat crease to its own side, over the inertia of the patch, rad/s^2 per rad from closed. So

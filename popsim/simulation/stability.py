@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from popsim.geometry.arrays import FloatArray
+from popsim.geometry.arrays import BoolArray, FloatArray
 from popsim.simulation.jacobian import LoopJacobian
 from popsim.simulation.rig import Rig, page_quaternions
 from popsim.simulation.sweep import Sweep
@@ -26,10 +26,10 @@ in a pose that is singular itself."""
 PUSH_DEGREES = (178, 120, 60, 2)
 """Where the structure is pushed: also near the ends, where only a finite test tells."""
 
-HARD, LONG = (25, 8), (100, 20)
-"""Steps for which the wrench acts, and steps after its release. A wrench carries a free plate equally far in both:
-the hard one is 16 times as great. What resists it needs no long one; what gives way may be free, and moves with
-the square of the time, or soft, and comes to rest."""
+PUSHES = ((25, 8), (100, 20), (400, 80))
+"""Steps for which the wrench acts, and steps after its release, from hard and short to gentle and long; each
+wrench would carry a free plate equally far. What resists a harder one needs no gentler one. What gives way may be
+free, and goes as far under a gentler one, or soft, and resists it."""
 
 PUSH_MOTION = 0.3
 """How far the wrench would carry a free plate, of the size of the pop-up."""
@@ -69,9 +69,9 @@ class Push:
     patch: str
 
 
-def free_motions(rig: Rig, sweep: Sweep) -> list[FreeMotions]:
-    """Count free motions in the closing poses nearest to JACOBIAN_DEGREES."""
-    frames = sweep.closing_at(JACOBIAN_DEGREES)
+def free_motions(rig: Rig, sweep: Sweep, sound: BoolArray) -> list[FreeMotions]:
+    """Count free motions in the closing poses nearest to JACOBIAN_DEGREES, of those that are `sound` (n,)."""
+    frames = [frame for frame in sweep.closing_at(JACOBIAN_DEGREES) if sound[frame]]
     jacobian = LoopJacobian(rig.design, rig.forest)
     counts, least = jacobian.nullity(sweep.poses[frames], SINGULAR)
     return [
@@ -83,14 +83,19 @@ def free_motions(rig: Rig, sweep: Sweep) -> list[FreeMotions]:
 def push_test(rig: Rig, sweep: Sweep, allowed: float) -> list[Push]:
     """Push all patches at the closing poses nearest to PUSH_DEGREES, release them, and measure.
 
-    First hard and briefly; for longer where anything moves by more than `allowed` mm.
+    Ever more gently where anything moves, or is left, by more than `allowed` mm.
     """
-    pushes = []
     with rig.without_preloads():
-        for frame in sweep.closing_at(PUSH_DEGREES):
-            push = _push(rig, sweep, frame, HARD)
-            pushes.append(push if push.moved <= allowed else _push(rig, sweep, frame, LONG))
-    return pushes
+        return [_gentlest(rig, sweep, frame, allowed) for frame in sweep.closing_at(PUSH_DEGREES)]
+
+
+def _gentlest(rig: Rig, sweep: Sweep, frame: int, allowed: float) -> Push:
+    """The first of PUSHES that is resisted, or the last."""
+    for steps in PUSHES:
+        push = _push(rig, sweep, frame, steps)
+        if push.moved <= allowed and push.left <= allowed:
+            break
+    return push
 
 
 def _push(rig: Rig, sweep: Sweep, frame: int, steps: tuple[int, int]) -> Push:

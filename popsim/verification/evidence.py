@@ -2,6 +2,8 @@
 
 from dataclasses import dataclass
 
+import numpy as np
+
 from popsim.design import Design
 from popsim.simulation.contact import Contact
 from popsim.simulation.extents import Farthest, flatness, protrusion, reopening
@@ -22,8 +24,10 @@ class Evidence:
     ----------
     rig, sweep, gaps:
         What was folded, the recorded motion, and the loop gaps in it.
-    free, pushes:
-        Free motions and finite tests with the pages held; empty where loops do not close.
+    free:
+        Free motions with the pages held, at angles at which the loops close.
+    pushes:
+        Finite tests with the pages held; empty where loops do not close at every angle.
     flat, reopened, protruding:
         Greatest lengths over all patches; None where the motion ends early.
     contacts:
@@ -55,14 +59,16 @@ def gather(design: Design, settings: Settings) -> Evidence:
     """Fold `design` and measure."""
     folding = fold_design(design, settings.angles)
     rig, sweep, gaps = folding.rig, folding.sweep, folding.gaps
+    free = tuple(free_motions(rig, sweep, gaps.by_angle <= settings.play))
     if not sweep.complete or not gaps.largest <= settings.play:
-        return Evidence(rig, sweep, gaps)
+        return Evidence(rig, sweep, gaps, free)
+    loose = any(motion.count for motion in free)
     return Evidence(
         rig=rig,
         sweep=sweep,
         gaps=gaps,
-        free=tuple(free_motions(rig, sweep)),
-        pushes=tuple(push_test(rig, sweep, settings.pushed * rig.scale)),
+        free=free,
+        pushes=tuple(push_test(rig, sweep, np.inf if loose else settings.pushed * rig.scale)),
         flat=flatness(sweep),
         reopened=reopening(sweep),
         protruding=protrusion(sweep),

@@ -10,17 +10,19 @@ from popsim.verification.verdict import Grade, Measure
 
 NO_LOOPS = "the loops do not close, so its poses mean nothing"
 LOOSE = "something moves freely, so where it ends up is chance"
+JAMMED = "something moves freely, so where it jams is chance"
 
 
 def judge(evidence: Evidence, settings: Settings, aspect: Aspect) -> tuple[tuple[Measure, ...], str]:
     """Measures of one aspect, and why it could not be judged ("" where it could)."""
     closes = evidence.sweep.complete and evidence.gaps.largest <= settings.play
+    jammed = not closes and evidence.free_count > 0
     if aspect == "foldable":
-        return _foldable(evidence, settings, closes), ""
+        return ((), JAMMED) if jammed else (_foldable(evidence, settings, closes), "")
+    if aspect == "stable" and (closes or jammed):
+        return _stable(evidence, settings), ""
     if not closes:
         return (), NO_LOOPS
-    if aspect == "stable":
-        return _stable(evidence, settings), ""
     if _loose(evidence, settings):
         return (), LOOSE
     return (_clear if aspect == "clear" else _contained)(evidence, settings), ""

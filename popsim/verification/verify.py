@@ -35,12 +35,17 @@ def verify(design: Design, settings: Settings = DEFAULT, stock: Stock | None = N
     play = play_needed(design, evidence, settings)
     paper, untold = (None, "") if stock is None else run_on_paper(evidence, settings, stock)
     comparable = findings[0].theory is True and rigid_and_steady(evidence, settings)
+    compared, left_out = agreement(evidence, theory, settings) if comparable else ((), "")
     return Verdict(
         findings=findings,
-        agreement=agreement(evidence.sweep, theory, settings) if comparable else (),
+        agreement=compared,
         grade=grade(evidence, settings),
         ranges=measured_ranges(evidence.sweep, theory) if comparable else {},
-        notes=(*_notes(design, evidence, play, settings), *_paper_notes(paper, untold, play)),
+        notes=(
+            *_notes(design, evidence, play, settings),
+            *filter(None, [left_out]),
+            *_paper_notes(paper, untold, play),
+        ),
         evidence=evidence,
         play=play,
         paper=paper,
