@@ -18,7 +18,7 @@ STOREYS = [
     {"mesh", "rendering"},
     {"fitting", "patches"},
     {"simulation", "layout"},
-    {"verification", "assembly"},
+    {"verification", "assembly", "gluing"},
     {"export", "pictures"},
     {"booklet"},
     {"pipeline"},

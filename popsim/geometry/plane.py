@@ -16,6 +16,10 @@ STEEP = 0.9
 """A normal with |z| above this counts as vertical when in-plane axes are chosen."""
 
 
+PARALLEL = 1e-9
+"""Sine of the angle below which two planes are parallel."""
+
+
 @dataclass(frozen=True, eq=False)
 class Plane:
     """A plane with in-plane axes; all arrays have shape (3,), the axes are orthonormal."""
@@ -101,6 +105,25 @@ def line_distance(points: FloatArray, axis: FloatArray) -> FloatArray:
     direction = direction / np.linalg.norm(direction)
     rel = np.asarray(points, float) - start
     return np.asarray(np.linalg.norm(rel - (rel @ direction)[..., None] * direction, axis=-1))
+
+
+def common_line(one: Plane, other: Plane) -> FloatArray:
+    """Two points, 1 apart, of the line that two planes share, shape (2, 3).
+
+    Raises
+    ------
+    GeometryError
+        The planes are parallel.
+    """
+    along = _cross(one.normal, other.normal)
+    length = float(np.linalg.norm(along))
+    if length < PARALLEL:
+        raise GeometryError("two parallel planes have no line in common; give planes that meet")
+    along /= length
+    rows = np.array([one.normal, other.normal, along])
+    middle = (one.origin + other.origin) / 2
+    start = np.linalg.solve(rows, [one.normal @ one.origin, other.normal @ other.origin, along @ middle])
+    return np.array([start, start + along])
 
 
 def _cross(a: FloatArray, b: FloatArray) -> FloatArray:

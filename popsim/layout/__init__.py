@@ -10,6 +10,7 @@ from popsim.layout.errors import LayoutError
 from popsim.layout.flap import Flap
 from popsim.layout.folding import Crease
 from popsim.layout.joints import Joint
+from popsim.layout.keep_off import KeepOff
 from popsim.layout.layout import Layout, Placement, lay_out
 from popsim.layout.paper import PAPERS, Paper, find_paper
 from popsim.layout.parts import Part
@@ -24,6 +25,7 @@ __all__ = [
     "Flap",
     "Fold",
     "Joint",
+    "KeepOff",
     "Layout",
     "LayoutError",
     "LayoutSettings",

@@ -1,46 +1,37 @@
-"""The bench on which flaps are planned: what paper lies where, and what is left of a flap at a site."""
+"""The bench on which flaps are planned: what paper lies round each site before there is any flap."""
 
 from collections.abc import Mapping
+from functools import cache
 from typing import TYPE_CHECKING
-
-import numpy as np
 
 from popsim.geometry.arrays import FloatArray
 from popsim.geometry.flat import common, inverse, left_of, move, move_shape, without
 from popsim.layout.contact import BESIDE, Contact, contacts
-from popsim.layout.flap import Flap
-from popsim.layout.flap_shape import APART, crease_span, tab, trapezoid, trimmed
+from popsim.layout.flap_shape import APART
 from popsim.layout.folding import into
 from popsim.layout.joints import Joint
 from popsim.layout.nets import Net
 from popsim.layout.parts import Part
 from popsim.layout.settings import LayoutSettings
 from popsim.layout.sites import Face, Site, sites
-from popsim.layout.slots import opening, slot_sites
+from popsim.layout.slots import slot_sites
 
 if TYPE_CHECKING:
     from shapely.geometry import Polygon
     from shapely.geometry.base import BaseGeometry
 
-ENOUGH = (0.7, 0.35, 0.1)
-"""Shares of the full flap; a site with more beats one with less, whatever else speaks for it."""
-
 ON_LINE = 0.1
 """mm; what lies no farther beyond the line of a flap is no obstacle to it."""
 
-SMALLEST = 1.0
-"""mm^2; glue on less holds nothing."""
+ROUND = 2.0
+"""mm; how far round a flap paper is looked for."""
 
 
 class Bench:
-    """What lies where while flaps are planned: paper per net, landings per face of each part."""
+    """Parts, nets and sites; everything here stays as it is while flaps are placed."""
 
     def __init__(
-        self,
-        parts: Mapping[str, Part],
-        joints: tuple[Joint, ...],
-        nets: tuple[Net, ...],
-        settings: LayoutSettings,
+        self, parts: Mapping[str, Part], joints: tuple[Joint, ...], nets: tuple[Net, ...], settings: LayoutSettings
     ) -> None:
         self.parts = parts
         self.settings = settings
@@ -50,15 +41,16 @@ class Bench:
         self.seen: dict[tuple[str, str], tuple[Contact, ...]] = {
             (joint.id, name): contacts(joint, parts[name]) for joint in joints for name in joint.parts
         }
-        self.paper: dict[str, list[tuple[str, BaseGeometry]]] = {}
+        self.paper: dict[str, list[tuple[str, Polygon]]] = {}
         for net in nets:
             own = [(name, move_shape(motion, parts[name].polygon)) for name, motion in net.motions.items()]
             self.paper |= dict.fromkeys(net.motions, own)
-        self.landed: dict[tuple[str, Face], list[BaseGeometry]] = {}
         self.standing: dict[tuple[str, Face], list[FloatArray]] = {}
         for joint in joints:
             for name in joint.parts:
                 self._stand(joint, name)
+        self.blocked = cache(self._blocked)
+        self.allowed = cache(self._allowed)
 
     def carriers(self) -> dict[str, tuple[str, ...]]:
         """The parts that can carry flaps of each joint that is no fold, by joint id."""
@@ -67,66 +59,62 @@ class Bench:
             for joint in self.open
         }
 
-    def sites(self, joint: Joint, stretch: int) -> list[Site]:
+    def sites(self, joint: Joint, stretch: int) -> tuple[Site, ...]:
+        """All sites of a stretch of a joint that is no fold."""
         first, second = joint.parts
         seen = (self.seen[joint.id, first][stretch], self.seen[joint.id, second][stretch])
         free = (self._is_free(first, seen[0]), self._is_free(second, seen[1]))
         alone = (self._is_alone(joint, first, seen[0]), self._is_alone(joint, second, seen[1]))
         pair = (self.parts[first], self.parts[second])
-        return [
+        return (
             *sites(joint, stretch, pair, seen, free, alone),
             *slot_sites(joint, stretch, pair, seen, self.settings.clearance),
-        ]
-
-    def place(self, choices: tuple[Site, ...], depths: Mapping[str, float]) -> Flap | None:
-        """The best flap among `choices`, which then takes up its room; None where nothing of use fits."""
-        settings = self.settings
-        for form, clearance in ((trapezoid, settings.clearance), (tab, settings.clearance / 5)):
-            options = []
-            for order, site in enumerate(choices):
-                deep = site.joint.hinge is None or site.joint.hinge.kind == "central"
-                full = form(site.length, settings.seam_depth if deep else depths[site.target.id])
-                shape = trimmed(full, self._blocked(site, full), self._allowed(site, full, clearance))
-                if shape is None or shape.area < max(ENOUGH[-1] * full.area, SMALLEST):
-                    continue
-                share = sum(shape.area < enough * full.area for enough in ENOUGH)
-                crowd = len(self.net_of[site.carrier.id].motions)
-                options.append(((share, site.rank, crowd, -round(shape.area, 3), order), site, shape))
-            if options:
-                _, site, shape = min(options, key=lambda option: option[0])
-                return self._keep(site, shape)
-        return None
-
-    def _keep(self, site: Site, shape: "Polygon") -> Flap:
-        low, high = crease_span(shape)
-        landing = move_shape(site.on_target, shape)
-        polygon = move_shape(site.on_carrier, shape)
-        hole = None
-        if site.slot:
-            hole = move_shape(site.on_carrier, self._opening(site, shape))
-            for face in Face:
-                self.landed.setdefault((site.carrier.id, face), []).append(hole)
-        else:
-            motion = self.net_of[site.carrier.id].motions[site.carrier.id]
-            self.paper[site.carrier.id].append((f"flap {site.joint.id}", move_shape(motion, polygon)))
-        self.landed.setdefault((site.target.id, site.face), []).append(landing)
-        return Flap(
-            joint=site.joint,
-            stretch=site.stretch,
-            carrier=site.carrier.id,
-            target=site.target.id,
-            polygon=polygon,
-            line=move(site.on_carrier, np.array([[low, 0.0], [high, 0.0]])),
-            crease=site.crease,
-            landing=landing,
-            face=site.face,
-            glue_on_print=site.glue_on_print,
-            opening=hole,
         )
 
-    def _opening(self, site: Site, flap: "Polygon") -> "Polygon":
-        """What is cut out round a flap in a slot, in strip coordinates."""
-        return opening(site.length, flap.bounds[3] + APART, self.settings.clearance)
+    def to_strip(self, site: Site) -> FloatArray:
+        """Motion (3, 3) from the net of a site's carrier to strip coordinates."""
+        name = site.carrier.id
+        return inverse(self.net_of[name].motions[name] @ site.on_carrier)
+
+    def lines_on(self, part: str, but: Joint) -> list[FloatArray]:
+        """All stretches of joints at a part but those of one, in the part's flat coordinates, each (2, 2)."""
+        return [
+            contact.ends
+            for (joint, name), stretches in self.seen.items()
+            if name == part and joint != but.id
+            for contact in stretches
+        ]
+
+    def _blocked(self, site: Site) -> "BaseGeometry":
+        """Where the carrier's own net has paper, in strip coordinates, about where a flap can be."""
+        import shapely
+
+        near, to_strip = self._reach(site), self.to_strip(site)
+        blocked = []
+        for other, shape in self.paper[site.carrier.id]:
+            moved = move_shape(to_strip, shape)
+            if moved.intersects(near):
+                grown = common(moved, near).buffer(APART)
+                blocked.append(_above(grown, 2 * APART) if other == site.carrier.id else grown)
+        return shapely.unary_union(blocked)
+
+    def _allowed(self, site: Site, clearance: float) -> "BaseGeometry":
+        """Where the target's face takes a flap, in strip coordinates, about where a flap can be."""
+        import shapely
+
+        to_strip = inverse(site.on_target)
+        target = move_shape(to_strip, site.target.polygon)
+        near = self._reach(site)
+        rim = common(_off_line(target.boundary), near.buffer(clearance)).buffer(clearance)
+        lines = [move(to_strip, line) for line in self.standing.get((site.target.id, site.face), [])]
+        standing = [off_line(line, clearance) for line in lines]
+        return without(common(target, near), shapely.unary_union([rim, *standing]))
+
+    def _reach(self, site: Site) -> "Polygon":
+        from shapely.geometry import box
+
+        deepest = max(self.settings.flap_depth, self.settings.seam_depth)
+        return box(-ROUND, -ROUND, site.length + ROUND, deepest + ROUND)
 
     def _is_free(self, name: str, contact: Contact) -> bool:
         """Whether a contact is a cut edge of the net: nothing else of the net lies beyond it."""
@@ -145,60 +133,10 @@ class Bench:
         """Whether no other joint holds the part along a contact, so that a flap can go round its edge."""
         from shapely.geometry import LineString
 
-        line = LineString(contact.ends)
+        beside = LineString(contact.ends).buffer(BESIDE)
         return not any(
-            line.buffer(BESIDE).intersection(LineString(own.ends)).length > 2 * BESIDE
-            for (other, part), stretches in self.seen.items()
-            if part == name and other != joint.id
-            for own in stretches
+            beside.intersection(LineString(line)).length > 2 * BESIDE for line in self.lines_on(name, joint)
         )
-
-    def _blocked(self, site: Site, full: "Polygon") -> "BaseGeometry":
-        """Where the carrier's own piece has paper, in strip coordinates; for a slot, all if there is no room."""
-        import shapely
-
-        if site.slot:
-            hole = move_shape(site.on_carrier, self._opening(site, full))
-            return shapely.Polygon() if self._can_open(site.carrier, hole, site.joint) else full
-        name = site.carrier.id
-        to_strip = inverse(self.net_of[name].motions[name] @ site.on_carrier)
-        near = full.buffer(2 * APART)
-        blocked = []
-        for other, shape in self.paper[name]:
-            moved = move_shape(to_strip, shape)
-            if moved.intersects(near):
-                blocked.append(_above(moved.buffer(APART), 2 * APART) if other == name else moved.buffer(APART))
-        return shapely.unary_union(blocked)
-
-    def _can_open(self, host: Part, hole: "Polygon", own: Joint) -> bool:
-        """Whether an opening in a part keeps off its rim, what is glued to it, and its other joints."""
-        import shapely
-
-        clearance = self.settings.clearance
-        lines = [
-            shapely.LineString(contact.ends)
-            for (joint, part), stretches in self.seen.items()
-            if part == host.id and joint != own.id
-            for contact in stretches
-        ]
-        landings = [shape for face in Face for shape in self.landed.get((host.id, face), [])]
-        return bool(
-            host.polygon.contains(hole)
-            and shapely.distance(hole, [host.polygon.boundary, *lines, *landings]).min() >= clearance
-        )
-
-    def _allowed(self, site: Site, full: "Polygon", clearance: float) -> "BaseGeometry":
-        """Where the target's face is free, in strip coordinates."""
-        import shapely
-
-        to_strip = inverse(site.on_target)
-        target = move_shape(to_strip, site.target.polygon)
-        rim = _off_line(target.boundary).buffer(clearance)
-        key = (site.target.id, site.face)
-        landed = [move_shape(to_strip, shape).buffer(APART) for shape in self.landed.get(key, [])]
-        lines = [move(to_strip, line) for line in self.standing.get(key, [])]
-        standing = [shapely.LineString(line).buffer(clearance) for line in lines if line[:, 1].max() > ON_LINE]
-        return common(without(target, shapely.unary_union([rim, *landed, *standing])), full.envelope)
 
     def _stand(self, joint: Joint, name: str) -> None:
         """Remember the lines on which other parts stand inside a face of part `name`."""
@@ -213,6 +151,15 @@ class Bench:
                         rise = float(part.plane.normal @ into(other, theirs, side))
                         face = Face.PRINTED if rise > 0 else Face.REVERSE
                         self.standing.setdefault((name, face), []).append(own.ends)
+
+
+def off_line(line: FloatArray, clearance: float) -> "BaseGeometry":
+    """What a line (2, 2) in strip coordinates takes from a flap; nothing where it is the flap's own."""
+    import shapely
+
+    if line[:, 1].max() <= ON_LINE:
+        return shapely.Polygon()
+    return shapely.LineString(line).buffer(clearance)
 
 
 def _above(shape: "BaseGeometry", height: float) -> "BaseGeometry":

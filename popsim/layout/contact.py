@@ -1,6 +1,7 @@
 """How a joint lies in one of its parts: along an edge, or across the inside."""
 
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 
@@ -40,6 +41,7 @@ class Contact:
         return self.left != self.right
 
 
+@lru_cache(maxsize=4096)
 def contacts(joint: Joint, part: Part) -> tuple[Contact, ...]:
     """The stretches of `joint` as `part` sees them."""
     return tuple(_contact(part, part.flat(stretch)) for stretch in joint.stretches)

@@ -5,7 +5,7 @@ flap is trimmed to stay off its own piece and its other flaps, and inside its ta
 there. The site that leaves most of the flap wins, a hidden one first.
 """
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import NamedTuple
 
 import numpy as np
@@ -13,11 +13,16 @@ import numpy as np
 from popsim.layout.bench import Bench
 from popsim.layout.flap import Flap
 from popsim.layout.joints import Joint
+from popsim.layout.keep_off import KeepOff
 from popsim.layout.nets import Net
 from popsim.layout.parts import Part
+from popsim.layout.placing import Placing
 from popsim.layout.settings import LayoutSettings
 from popsim.layout.sites import Site
 from popsim.layout.teeth import share_edges
+
+CLEARINGS = 4
+"""Times that flaps which are in the way are moved or cut."""
 
 ROUNDS = 5
 """Times that flaps are made shallower where no room was left for one."""
@@ -25,6 +30,10 @@ ROUNDS = 5
 
 FLIMSY = 4.5
 """mm; flaps on shorter stretches hold next to nothing: they are left out where the joint has a longer one."""
+
+
+InTheWay = Callable[[Mapping[str, Part], tuple[Flap, ...]], tuple[KeepOff, ...]]
+"""Told all parts by id and all flaps, names the lines where flaps are in the way and which they must keep off."""
 
 
 class Task(NamedTuple):
@@ -41,30 +50,54 @@ class Task(NamedTuple):
 
 
 def plan_flaps(
-    parts: Mapping[str, Part], joints: tuple[Joint, ...], nets: tuple[Net, ...], settings: LayoutSettings
+    parts: Mapping[str, Part],
+    joints: tuple[Joint, ...],
+    nets: tuple[Net, ...],
+    settings: LayoutSettings,
+    in_the_way: InTheWay,
 ) -> tuple[tuple[Flap, ...], tuple[Joint, ...]]:
     """Return the flaps of all joints that are no folds of `nets`, in their order, and the joints left over.
 
     Stretches of joints that must share an edge are divided among them. A joint is left over where no flap of use
-    fits on any side.
+    fits on any side. Flaps that `in_the_way` objects to are moved or cut as long as all joints keep one.
     """
     joints = share_edges(joints, Bench(parts, joints, nets, settings).carriers())
+    bench = Bench(parts, joints, nets, settings)
+    tasks = [Task(joint, k, bench.sites(joint, k)) for joint in bench.open for k in _worth_gluing(joint)]
     depths = dict.fromkeys(parts, settings.flap_depth)
     for _ in range(ROUNDS):
-        flaps, left = _plan(Bench(parts, joints, nets, settings), depths)
+        flaps, left = _plan(tasks, Placing(bench, depths, ()))
         if not left:
-            break
+            return _cleared(tasks, bench, depths, flaps, in_the_way), ()
         # whatever lands where room ran out gets half as deep, to leave some for all
         depths |= {name: depths[name] / 2 for name in sorted({name for joint in left for name in joint.parts})}
     return flaps, left
 
 
-def _plan(bench: Bench, depths: Mapping[str, float]) -> tuple[tuple[Flap, ...], tuple[Joint, ...]]:
-    """One round of planning with the given depth of flaps by the part that they land on."""
-    tasks = [Task(joint, k, tuple(bench.sites(joint, k))) for joint in bench.open for k in _worth_gluing(joint)]
+def _cleared(
+    tasks: list[Task], bench: Bench, depths: Mapping[str, float], flaps: tuple[Flap, ...], in_the_way: InTheWay
+) -> tuple[Flap, ...]:
+    """The flaps with the fewest lines in their way, of some rounds in which they keep off all found before."""
+    best, fewest = flaps, in_the_way(bench.parts, flaps)
+    keep_off, found = fewest, fewest
+    for _ in range(CLEARINGS):
+        if not found:
+            break
+        flaps, left = _plan(tasks, Placing(bench, depths, keep_off))
+        if left:
+            break
+        found = in_the_way(bench.parts, flaps)
+        keep_off += found
+        if len(found) < len(fewest):
+            best, fewest = flaps, found
+    return best
+
+
+def _plan(tasks: list[Task], placing: Placing) -> tuple[tuple[Flap, ...], tuple[Joint, ...]]:
+    """One round of planning: flaps by task, who has least to choose from first, and joints without any."""
     found: dict[tuple[str, int], Flap] = {}
     for task in sorted(tasks, key=lambda task: task.freedom):
-        flap = bench.place(task.choices, depths)
+        flap = placing.place(task.choices)
         if flap is not None:
             found[task.joint.id, task.stretch] = flap
     flaps = tuple(found[key] for task in tasks if (key := (task.joint.id, task.stretch)) in found)

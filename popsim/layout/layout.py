@@ -7,6 +7,7 @@ from popsim.design import Design
 from popsim.geometry.arrays import FloatArray
 from popsim.geometry.flat import flat_motion
 from popsim.layout.flap import Flap
+from popsim.layout.flaps import InTheWay
 from popsim.layout.joints import Joint, find_joints
 from popsim.layout.nesting import nest
 from popsim.layout.paper import Paper, find_paper
@@ -72,7 +73,13 @@ class Layout:
         return {part: piece for piece in self.pieces for part in piece.motions}
 
 
-def lay_out(design: Design, *, paper: str | Paper = "A4", settings: LayoutSettings | None = None) -> Layout:
+def lay_out(
+    design: Design,
+    *,
+    paper: str | Paper = "A4",
+    settings: LayoutSettings | None = None,
+    in_the_way: InTheWay = lambda parts, flaps: (),
+) -> Layout:
     """Lay a design out on sheets of paper (Sec. 4.4): pieces, flaps, places.
 
     Parameters
@@ -83,6 +90,8 @@ def lay_out(design: Design, *, paper: str | Paper = "A4", settings: LayoutSettin
         A format or its name.
     settings:
         Sizes and choices; None for the usual ones.
+    in_the_way:
+        Asked where flaps would be in the way, so that they are moved or cut; by default they never are.
 
     Raises
     ------
@@ -95,7 +104,7 @@ def lay_out(design: Design, *, paper: str | Paper = "A4", settings: LayoutSettin
     listed = cut_back(divide(design, paper, settings), design, settings.stock.thickness if settings.stock else 0.0)
     parts = {part.id: part for part in listed}
     joints = find_joints(design, listed)
-    nets, flaps = plan_pieces(listed, joints, room, settings)
+    nets, flaps = plan_pieces(listed, joints, room, settings, in_the_way)
     pieces = make_pieces(parts, nets, flaps)
     return Layout(paper, settings, parts, joints, pieces, _numbers(joints, flaps), _place(pieces, room, settings))
 

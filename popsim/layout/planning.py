@@ -6,7 +6,7 @@ from popsim.geometry.flat import common, left_of, move_shape
 from popsim.layout.contact import BESIDE, Contact, contacts
 from popsim.layout.errors import LayoutError
 from popsim.layout.flap import Flap
-from popsim.layout.flaps import plan_flaps
+from popsim.layout.flaps import InTheWay, plan_flaps
 from popsim.layout.joints import Joint
 from popsim.layout.nets import Net, find_nets
 from popsim.layout.parts import Part
@@ -17,9 +17,15 @@ ROUNDS = 6
 
 
 def plan_pieces(
-    listed: tuple[Part, ...], joints: tuple[Joint, ...], room: tuple[float, float], settings: LayoutSettings
+    listed: tuple[Part, ...],
+    joints: tuple[Joint, ...],
+    room: tuple[float, float],
+    settings: LayoutSettings,
+    in_the_way: InTheWay,
 ) -> tuple[tuple[Net, ...], tuple[Flap, ...]]:
     """Return nets and the flaps of all joints that are no folds of them.
+
+    `in_the_way` is asked where flaps would be in the way of anything that a layout does not know of.
 
     Raises
     ------
@@ -30,11 +36,11 @@ def plan_pieces(
     barred: frozenset[str] = frozenset()
     for _ in range(ROUNDS):
         nets = find_nets(listed, joints, room, 2 * settings.flap_depth, barred)
-        flaps, left = plan_flaps(parts, joints, nets, settings)
-        in_the_way = frozenset(fold for joint in left for fold in _in_the_way(joint, parts, nets))
-        if not in_the_way:
+        flaps, left = plan_flaps(parts, joints, nets, settings, in_the_way)
+        opened = frozenset(fold for joint in left for fold in _holding(joint, parts, nets))
+        if not opened:
             break
-        barred |= in_the_way
+        barred |= opened
     if left:
         raise LayoutError(
             f"{left[0].id}: no flap fits between {left[0].parts[0]} and {left[0].parts[1]}; make the hinge "
@@ -43,7 +49,7 @@ def plan_pieces(
     return nets, flaps
 
 
-def _in_the_way(joint: Joint, parts: Mapping[str, Part], nets: tuple[Net, ...]) -> set[str]:
+def _holding(joint: Joint, parts: Mapping[str, Part], nets: tuple[Net, ...]) -> set[str]:
     """Ids of folds that hold other parts where a flap of `joint` would be."""
     import networkx
 
