@@ -47,22 +47,29 @@ def usable_triangles(corners: FloatArray, path: Path) -> tuple[BoolArray, list[s
         raise MeshError(f"{path.name}: coordinates reach {np.abs([low, high]).max():.3g}, too far for arithmetic")
     if size == 0.0:
         raise MeshError(f"{path.name}: all points of its faces coincide; a pop-up needs a surface")
+    unit = (corners if finite.all() else corners[finite]) - low
+    unit /= size
     keep = finite.copy()
-    keep[finite] = _have_area((corners[finite] - low) / size)
-    if not keep.any() or _on_a_line(corners[keep], size):
+    doubled, has_area = _areas(unit)
+    keep[finite] = has_area
+    if not keep.any() or (doubled.max() <= LINE and _on_a_line(unit[has_area])):
         raise MeshError(f"{path.name}: all points of its faces lie on one line; a pop-up needs a surface")
     return keep, _notes(int((~finite).sum()), int((finite & ~keep).sum()))
 
 
-def _have_area(unit_corners: FloatArray) -> BoolArray:
-    edges = np.roll(unit_corners, -1, axis=1) - unit_corners
-    doubled = np.linalg.norm(np.cross(edges[:, 0], edges[:, 1]), axis=1)
-    longest = np.square(edges).sum(axis=2).max(axis=1)
-    return np.asarray(doubled > FLATNESS * longest)
+def _areas(unit_corners: FloatArray) -> tuple[FloatArray, BoolArray]:
+    """Return the doubled area of each triangle (m,), and whether it is one, and not a line."""
+    first = unit_corners[:, 1] - unit_corners[:, 0]
+    second = unit_corners[:, 2] - unit_corners[:, 0]
+    doubled = np.linalg.norm(np.cross(first, second), axis=1)
+    longest = np.maximum(np.square(first).sum(axis=1), np.square(second).sum(axis=1))
+    second -= first
+    longest = np.maximum(longest, np.square(second).sum(axis=1))
+    return doubled, doubled > FLATNESS * longest
 
 
-def _on_a_line(corners: FloatArray, size: float) -> bool:
-    points = corners.reshape(-1, 3) / size
+def _on_a_line(unit_corners: FloatArray) -> bool:
+    points = unit_corners.reshape(-1, 3)
     spread = np.linalg.svd(np.cov((points - points.mean(axis=0)).T), compute_uv=False)
     return bool(spread[1] <= LINE**2 * spread[0])
 
