@@ -13,6 +13,7 @@ from popsim.geometry.frame import OPEN, Side, page_poses
 from popsim.mechanisms import Condition, Mechanism, Members, Recognition, mechanism_type
 from popsim.validity.clear import clear_conditions
 from popsim.validity.contained import contained_conditions
+from popsim.validity.creases import crease_conditions
 from popsim.validity.reach import Reach
 
 
@@ -49,8 +50,9 @@ class Theory:
         if not self.design.mechanisms:
             return ()
         own = [condition for found in self.recognised.values() for condition in found.conditions]
+        creases = crease_conditions(self.design, {name: poses[HALF] for name, poses in self._reach.poses.items()})
         whole = [*clear_conditions(self.mechanisms, self._reach), *contained_conditions(self.design, self._reach)]
-        return (*own, *_strangers(self.design), *whole)
+        return (*own, *_strangers(self.design), *creases, *whole)
 
     @property
     def holds(self) -> bool:
@@ -76,6 +78,9 @@ class Theory:
 
 SWEEP = np.linspace(OPEN, 0.0, 61)
 """Fold angles at which reaches are taken: every 3 degrees, both ends included."""
+
+HALF = len(SWEEP) // 2
+"""Position of 90 degrees among them."""
 
 
 def examine(design: Design) -> Theory:

@@ -8,6 +8,7 @@ from popsim.mechanisms import Mechanism, PairKind, assemble, card_pair
 from popsim.mechanisms.box_fold import BoxFold
 from popsim.mechanisms.step_fold import StepFold
 from popsim.mechanisms.tent_fold import TentFold
+from popsim.mechanisms.v_fold_1 import VFold1
 from popsim.mechanisms.v_fold_2 import VFold2
 from popsim.validity import examine
 from popsim.validity.clear import TOUCH
@@ -89,6 +90,43 @@ def test_side_of_other_length_breaks_b_plus_r_alone() -> None:
     names = [c.name for c in examine(Design.model_validate(moved)).conditions if not c.holds]
     assert any("b + r = c + t_b" in name for name in names)
     assert not any("l = c" in name for name in names)
+
+
+def turned_over(design: Design, name: str) -> Design:
+    """The design with one crease stated to the other side."""
+    hinges = [
+        hinge.model_copy(update={"crease": tuple(-x for x in hinge.crease)}) if hinge.id == name else hinge
+        for hinge in design.hinges
+    ]
+    return Design.model_validate({**design.model_dump(), "hinges": [hinge.model_dump() for hinge in hinges]})
+
+
+def test_margin_of_creases_is_how_far_they_stand_out_at_90_degrees() -> None:
+    """A front pair, w wide, is turned by 90 degrees, the tops too."""
+    box = BoxFold.plain("M1", BASE, 40.0, 30.0, (0.0, 50.0))
+    found = [c for c in examine(assemble(CARD, [box])).conditions if "creases" in c.name]
+    assert [(c.aspect, c.subject) for c in found] == [("foldable", "M1")]
+    assert found[0].margin == pytest.approx(40.0)
+
+
+@pytest.mark.parametrize(
+    "mechanism",
+    [
+        BoxFold.plain("M1", BASE, 40.0, 30.0, (0.0, 50.0)),
+        VFold1("M1", BASE, 20.0, 30.0, 40.0, 1),
+        VFold2("M1", BASE, 20.0, 30.0, 40.0, -1),
+    ],
+    ids=lambda mechanism: mechanism.type,
+)
+def test_each_crease_stated_the_wrong_way_is_refused(mechanism: Mechanism) -> None:
+    """As a crease; but a front pair that bulges inward is a back pair, and cuts the roof."""
+    design = assemble(CARD, [mechanism])
+    creases = [hinge.id for hinge in design.hinges if hinge.crease is not None and hinge.kind != "central"]
+    assert creases and examine(design).holds
+    for name in creases:
+        found = [c for c in examine(turned_over(design, name)).conditions if not c.holds]
+        assert {c.subject for c in found} == {"M1"}
+        assert any("creases" in c.name or "sweeps" in c.name for c in found)
 
 
 def test_patch_without_mechanism_is_not_covered_by_the_theory() -> None:

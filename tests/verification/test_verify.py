@@ -4,6 +4,7 @@ import json
 
 import pytest
 from folding_designs import (
+    checked,
     layered,
     leaning,
     mismatched_box,
@@ -61,6 +62,22 @@ def test_the_theory_refuses_them_too(name):
     assert finding.theory is False
     assert finding.disagreement is None
     assert finding.tightest.margin < 0
+
+
+@pytest.mark.parametrize("pair", [("M.F_L", "M.F_R"), ("M.T_G", "M.T_B")])
+def test_a_crease_stated_the_wrong_way_is_refused_by_both_and_is_no_hole(pair):
+    box = plain_box()
+    hinges = tuple(
+        hinge.model_copy(update={"crease": tuple(-x for x in hinge.crease)})
+        if set(hinge.patches) == set(pair)
+        else hinge
+        for hinge in box.hinges
+    )
+    verdict = verify(checked(box.model_copy(update={"hinges": hinges})))
+    assert not verdict.passed
+    assert verdict.holes == ()
+    (refused,) = [finding for finding in verdict.findings if finding.simulation is False]
+    assert refused.theory is False
 
 
 def test_protrusion_is_measured():
