@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 from popsim.assembly import AssemblyPlan, StepKind
 from popsim.booklet import wording
+from popsim.booklet.closing import closing
 from popsim.booklet.column import text_height
 from popsim.booklet.cutting import draw_cutting
 from popsim.booklet.eye import viewpoint
@@ -11,6 +12,7 @@ from popsim.booklet.figure import Draughtsman
 from popsim.booklet.format import Format
 from popsim.booklet.things import Eye
 from popsim.layout.sheet import Sheet
+from popsim.simulation import Sweep
 
 
 @dataclass(frozen=True, eq=False)
@@ -55,6 +57,7 @@ class Booklet:
 
 def make_booklet(
     plan: AssemblyPlan,
+    sweep: Sweep,
     name: str,
     picture: str,
     aspect: float,
@@ -62,7 +65,7 @@ def make_booklet(
     banner: str | None,
     checks: tuple[str, ...],
 ) -> Booklet:
-    """Draw the figures of all steps of a plan for pages of a format."""
+    """Draw the figures of all steps of a plan for pages of a format; `sweep` is its recorded motion."""
     layout = plan.layout
     draughtsman = Draughtsman(Eye(layout, viewpoint()))
     entries = []
@@ -72,7 +75,8 @@ def make_booklet(
         if step.kind is StepKind.CUT:
             figure = draw_cutting(layout, step.number, form.width, height)
         else:
-            figure = draughtsman.figure(step, form.width, height)
+            shown = closing(step, layout, sweep) if step.kind is StepKind.FINISH else step
+            figure = draughtsman.figure(shown, form.width, height)
         entries.append(Entry(step.number, step.text, figure))
     facts = wording.FACTS.format(
         pieces=wording.counted(len(layout.pieces), wording.PIECES),

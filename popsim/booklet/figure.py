@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from popsim.assembly import Step
+from popsim.assembly import Step, StepKind
 from popsim.booklet.callout import HEIGHT, draw_callout
 from popsim.booklet.inks import Ink
 from popsim.booklet.motions import tracks
@@ -54,20 +54,26 @@ class Draughtsman:
     def _before(self, step: Step) -> Scenery | None:
         if step.before is None or not step.before.poses:
             return None
-        new = step.parts or tuple(step.motion)
         names = {part: piece.name for piece in self.eye.layout.pieces for part in piece.motions}
         named = {name: names[name] for name in self._named(step)}
-        sights = self.eye.look(step.before, new, step.flaps)
+        sights = self.eye.look(step.before, _marked(step), step.flaps)
         ways = tracks(step, self.eye.layout, self.eye.view)
         return Scenery(sights, ways, named, self.eye.layout.numbers)
 
     def _after(self, step: Step) -> Scenery | None:
         if step.after is None or not step.after.poses:
             return None
-        return Scenery(self.eye.look(step.after, step.parts or tuple(step.motion)))
+        return Scenery(self.eye.look(step.after, _marked(step)))
 
     def _named(self, step: Step) -> set[str]:
         """Parts of the pieces that are new or glued in a step."""
         touched = {name for key in step.flaps for name in self.eye.ends(key)} | set(step.parts)
         pieces = [piece for piece in self.eye.layout.pieces if touched & set(piece.motions)]
         return {part for piece in pieces for part in piece.motions}
+
+
+def _marked(step: Step) -> tuple[str, ...]:
+    """Parts that stand out: what is moved, or what is new where nothing moves; none in the last step."""
+    if step.kind is StepKind.FINISH:
+        return ()
+    return tuple(step.motion) or step.parts

@@ -1,7 +1,7 @@
 """A magnifying glass for flaps that are too small to be made out."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -74,7 +74,8 @@ class Inset:
         yield Line(Ink.GLASS, rim, closed=True)
         labels = Labels(self.window.buffer(-0.3), self.window)
         wishes = scenery.number_wishes(self.motion(motion))
-        yield from labels.place(wish for wish in wishes if wish.area.intersects(self.window))
+        inside = [replace(wish, area=wish.area.intersection(self.window)) for wish in wishes]
+        yield from labels.place(wish for wish in inside if not wish.area.is_empty)
 
 
 def choose_inset(scenery: Scenery, motion: FloatArray, scale: float, panel: "Polygon") -> Inset | None:

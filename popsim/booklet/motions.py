@@ -18,7 +18,7 @@ POINTS = 12
 
 
 def tracks(step: Step, layout: Layout, view: "View") -> tuple[FloatArray, ...]:
-    """Lines in plane coordinates, each (n, 2), along which glued flaps or their places move, else all parts."""
+    """Lines in plane coordinates, each (n, 2), of what moves: glued flaps or their places, else one part."""
     found = list(_of_flaps(step, layout)) or list(_of_parts(step, layout))
     return tuple(view.to_plane(track)[:, :2] for track in found)
 
@@ -35,10 +35,13 @@ def _of_flaps(step: Step, layout: Layout) -> Iterator[FloatArray]:
 
 
 def _of_parts(step: Step, layout: Layout) -> Iterator[FloatArray]:
-    """Of each part that moves the way of its middle."""
+    """The way of the middle of that part which goes farthest."""
+    ways = []
     for name, poses in step.motion.items():
         part = layout.parts[name]
-        yield _track(poses, part.plane.lift(np.array(part.polygon.centroid.coords[0])))
+        ways.append(_track(poses, part.plane.lift(np.array(part.polygon.centroid.coords[0]))))
+    if ways:
+        yield max(ways, key=lambda way: round(float(np.linalg.norm(way[-1] - way[0])), 6))
 
 
 def _track(poses: FloatArray, point: FloatArray) -> FloatArray:

@@ -12,7 +12,7 @@ from popsim.booklet.inks import Ink
 from popsim.booklet.legend import legend
 from popsim.layout.sheet import Mark, Picture, Sheet, Text
 
-TITLE, NAME, HEADING, NUMBER = 9.0, 5.0, 5.0, 11.0
+TITLE, NAME, HEADING, NUMBER = 9.0, 5.0, 5.0, 9.0
 """mm; font sizes."""
 
 

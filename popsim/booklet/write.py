@@ -10,6 +10,7 @@ from popsim.booklet.inks import STYLE
 from popsim.booklet.pages import draw_pages
 from popsim.design import Design
 from popsim.export.pdf import write_pages
+from popsim.simulation import Sweep
 
 NAME = "instructions"
 PICTURE = "popup.png"
@@ -18,6 +19,7 @@ PICTURE = "popup.png"
 def write_booklet(
     plan: AssemblyPlan,
     design: Design,
+    sweep: Sweep,
     folder: Path,
     *,
     name: str,
@@ -30,8 +32,8 @@ def write_booklet(
     ----------
     plan:
         The steps, with their scenes.
-    design:
-        What is built.
+    design, sweep:
+        What is built, and its recorded motion.
     folder:
         Where the textures of the design are, and where the files go; existing ones are overwritten.
     name:
@@ -58,7 +60,7 @@ def write_booklet(
     picture, pdf, html = (folder / file for file in (PICTURE, f"{NAME}.pdf", f"{NAME}.html"))
     Image.fromarray(open_picture(design, folder, look)).save(picture, format="PNG")
     form = booklet_format(plan.layout.paper)
-    booklet = make_booklet(plan, name, PICTURE, look.width / look.height, form, banner, checks)
+    booklet = make_booklet(plan, sweep, name, PICTURE, look.width / look.height, form, banner, checks)
     write_pages(draw_pages(booklet, form), pdf, style=STYLE, texture_root=folder, title=f"{name}: {NAME}")
     html.write_text(page_of(booklet, folder), encoding="utf-8")
     return picture, pdf, html

@@ -33,6 +33,6 @@ def calibration(
     print_verdict(verdict, NAME)
     if verdict.passed:
         footer = f"popsim {__version__} · popsim calibration --paper '{paper}' --style {style}"
-        files = deliver_calibration(output, settings, footer=footer, force=force)
+        files = deliver_calibration(verdict.evidence.sweep, output, settings, footer=footer, force=force)
         typer.echo(f"{len(files)} files in {output}")
     raise typer.Exit(0 if verdict.passed else 1)

@@ -16,6 +16,7 @@ from popsim.mechanisms import (
 from popsim.pipeline.folder import fill_folder
 from popsim.pipeline.prints import write_prints
 from popsim.pipeline.settings import RunSettings
+from popsim.simulation import Sweep
 
 NAME = "Test build"
 
@@ -46,8 +47,17 @@ def _first(primitive: Primitive, pair: BasePatchPair, name: str) -> Mechanism:
     return next(found for kind in MECHANISMS.values() for found in kind.from_primitive(primitive, pair, name))
 
 
-def deliver_calibration(folder: Path, settings: RunSettings, *, footer: str, force: bool) -> tuple[Path, ...]:
-    """Write the sheet and the booklet of the test build; paper, style and formats are those of `settings`.
+def deliver_calibration(
+    sweep: Sweep, folder: Path, settings: RunSettings, *, footer: str, force: bool
+) -> tuple[Path, ...]:
+    """Write the sheet and the booklet of the test build.
+
+    Parameters
+    ----------
+    sweep:
+        The test build as it was folded.
+    settings:
+        Its paper, style and formats count.
 
     Returns
     -------
@@ -60,6 +70,6 @@ def deliver_calibration(folder: Path, settings: RunSettings, *, footer: str, for
     """
 
     def fill(own: Path) -> list[Path]:
-        return write_prints(calibration_design(), own, settings, name=NAME, footer=footer, checks=CHECKS)[1]
+        return write_prints(sweep.design, sweep, own, settings, name=NAME, footer=footer, checks=CHECKS)[1]
 
     return fill_folder(folder, fill, force=force)

@@ -46,7 +46,10 @@ def _fill(run: DesignRun, folder: Path, command: str, footer: str) -> list[Path]
             made.append(folder / name)
         banner = None if run.verdict.passed else UNVERIFIED
         title = run.prepared.model.path.stem
-        plan, prints = write_prints(run.design, folder, run.settings, name=title, footer=footer, banner=banner)
+        sweep = run.verdict.evidence.sweep
+        plan, prints = write_prints(
+            run.design, sweep, folder, run.settings, name=title, footer=footer, banner=banner
+        )
         layout = plan.layout
         made += prints
     (folder / WISHES).write_text(_wishes(run, command))

@@ -8,10 +8,12 @@ from popsim.design import Design, dump_design
 from popsim.export import export
 from popsim.layout import lay_out
 from popsim.pipeline.settings import RunSettings
+from popsim.simulation import Sweep
 
 
 def write_prints(
     design: Design,
+    sweep: Sweep,
     folder: Path,
     settings: RunSettings,
     *,
@@ -24,6 +26,8 @@ def write_prints(
 
     Parameters
     ----------
+    sweep:
+        The recorded motion of the design.
     name:
         Of the model, on the cover.
     footer:
@@ -53,7 +57,7 @@ def write_prints(
             two_sided=settings.two_sided,
             notes=checks,
         )
-    made += write_booklet(plan, design, folder, name=name, banner=banner, checks=checks)
+    made += write_booklet(plan, design, sweep, folder, name=name, banner=banner, checks=checks)
     made.append(folder / "assembly.md")
     made[-1].write_text(plan.text)
     return plan, made

@@ -13,14 +13,18 @@ from built_pop_up import Built
 from popsim.assembly import AssemblyPlan
 from popsim.booklet import write_booklet
 from popsim.booklet.booklet import Booklet, make_booklet
+from popsim.booklet.closing import HALF, closing
+from popsim.booklet.eye import viewpoint
 from popsim.booklet.format import NARROWEST, Format, booklet_format
 from popsim.booklet.html import page_of
 from popsim.booklet.inks import Ink
 from popsim.booklet.legend import legend
 from popsim.booklet.pages import draw_pages
+from popsim.booklet.things import Eye, Kind
 from popsim.layout import PAPERS, Paper, find_paper
 from popsim.layout.sheet import Area, Line, Mark, Text
 from popsim.pipeline.calibration import CHECKS, NAME
+from popsim.simulation import Sweep
 
 IMAGE = 3
 """Type of page objects that are pixels (FPDF_PAGEOBJ_IMAGE)."""
@@ -32,8 +36,8 @@ def form(plan: AssemblyPlan) -> Format:
 
 
 @pytest.fixture(scope="module")
-def booklet(plan: AssemblyPlan, form: Format) -> Booklet:
-    return make_booklet(plan, "box", "popup.png", 4 / 3, form, None, ())
+def booklet(plan: AssemblyPlan, sweep: Sweep, form: Format) -> Booklet:
+    return make_booklet(plan, sweep, "box", "popup.png", 4 / 3, form, None, ())
 
 
 @pytest.fixture(scope="module")
@@ -117,6 +121,20 @@ def test_booklet_writes_each_number_and_each_new_piece(booklet: Booklet, plan: A
             assert any(text.startswith(f"{name}, sheet") for text in shown)
 
 
+def test_last_step_closes_the_card(plan: AssemblyPlan, sweep: Sweep) -> None:
+    last = closing(plan.steps[-1], plan.layout, sweep)
+    assert last.before is not None
+    assert last.after is not None
+    assert last.before.card_angle == pytest.approx(np.radians(HALF), abs=np.radians(1))
+    assert last.after.card_angle == 0
+    assert set(last.motion) == {"B"}
+    eye = Eye(plan.layout, viewpoint())
+    seen = {sight.thing.kind: 0.0 for sight in eye.look(last.after)}
+    for sight in eye.look(last.after):
+        seen[sight.thing.kind] += sight.seen.area.area
+    assert seen[Kind.PAGE] > 20 * (seen[Kind.PART] + seen[Kind.FLAP])
+
+
 def test_legend_explains_every_ink_of_the_figures(booklet: Booklet) -> None:
     told = {mark.role for sample, _ in legend() for mark in sample.marks}
     plain = {Ink.PANEL, Ink.RULE, Ink.CREASE, Ink.LEADER, Ink.TEXT, Ink.NOTE, Ink.BUBBLE}
@@ -154,8 +172,8 @@ def test_html_is_complete_and_needs_nothing_else(built: Built) -> None:
     assert len(ids) == len(set(ids))
 
 
-def test_same_plan_gives_the_same_bytes(built: Built, tmp_path: Path) -> None:
-    files = write_booklet(built.plan, built.design, tmp_path, name=NAME, checks=CHECKS)
+def test_same_plan_gives_the_same_bytes(built: Built, sweep: Sweep, tmp_path: Path) -> None:
+    files = write_booklet(built.plan, built.design, sweep, tmp_path, name=NAME, checks=CHECKS)
     for file in files:
         assert file.read_bytes() == (built.folder / file.name).read_bytes(), file.name
 

@@ -8,14 +8,12 @@ from popsim.booklet.eye import viewpoint
 from popsim.booklet.stacking import LAYER, stacked
 from popsim.booklet.things import Eye, Kind
 from popsim.geometry.arrays import FloatArray
-from popsim.pipeline.calibration import calibration_design
-from popsim.simulation.folding import fold_design
+from popsim.simulation import Sweep
 
 
 @pytest.fixture(scope="module")
-def closed(plan: AssemblyPlan) -> dict[str, FloatArray]:
+def closed(plan: AssemblyPlan, sweep: Sweep) -> dict[str, FloatArray]:
     """Poses of all parts in the closed card, the ground on the table."""
-    sweep = fold_design(calibration_design(), 60).sweep
     poses = {
         name: sweep.poses[sweep.closed, sweep.index[part.patch.id]] for name, part in plan.layout.parts.items()
     }

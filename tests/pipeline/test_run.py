@@ -7,15 +7,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from popsim.design import Card
 from popsim.geometry.rigid import transform
 from popsim.layout import LayoutSettings, find_paper
-from popsim.mechanisms import assemble, card_pair
-from popsim.mechanisms.box_fold import BoxFold, Top
 from popsim.patches import PatchSettings
 from popsim.pipeline import DesignRun, RunSettings, run_design
 from popsim.pipeline.deliver import UNVERIFIED, deliver
 from popsim.verification import Verdict, verify
+from popsim.verification.settings import Settings
 
 QUICK = PatchSettings(dpi=60)
 
@@ -26,10 +24,9 @@ def truck(models: Path) -> DesignRun:
 
 
 @pytest.fixture(scope="module")
-def refusal() -> Verdict:
-    card = Card(x=(-100.0, 100.0), depth=100.0)
-    shearing = BoxFold("M1", card_pair(card), 20.0, (Top(0.0, 40.0, 30.0),), ())
-    return verify(assemble(card, [shearing]))
+def refusal(truck: DesignRun) -> Verdict:
+    """The truck, judged so that nothing passes."""
+    return verify(truck.design, Settings(protruding=-1.0))
 
 
 def test_truck_passes_and_looks_like_a_truck(truck: DesignRun) -> None:
