@@ -17,7 +17,7 @@ VERSION: Literal[1] = 1
 Point = tuple[float, float, float]
 Ring = Annotated[tuple[Point, ...], Field(min_length=3)]
 HingeKind = Literal["central", "fold", "glue"]
-Identifier = Annotated[str, Field(min_length=1, max_length=100, pattern=r"^\S+$")]
+Identifier = Annotated[str, Field(min_length=1, max_length=100, pattern=r"^[^\s\x00-\x1f\x7f]+$")]
 Millimetres = Annotated[float, Field(gt=0)]
 
 

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from xml.sax.saxutils import quoteattr
+from html import escape
 
 import numpy as np
 import numpy.typing as npt
@@ -75,7 +75,7 @@ def options(recipe: Recipe, disabled: str) -> str:
 def loops(forest: Forest, recipe: Recipe) -> str:
     """Two equalities per hinge that closes a loop, one at each end of its axis."""
     return "".join(
-        f"<connect body1={quoteattr(hinge.patches[0])} body2={quoteattr(hinge.patches[1])} "
+        f'<connect body1="{escape(hinge.patches[0])}" body2="{escape(hinge.patches[1])}" '
         f'anchor="{text(point / recipe.scale)}"/>'
         for hinge in forest.loops
         for point in hinge.points
@@ -94,7 +94,7 @@ def body_tree(head: str, page: str, forest: Forest, content: Callable[[TreeJoint
         if joint is None:
             parts.append("</body>")
             continue
-        parts.append(f"<body name={quoteattr(joint.child)}>{content(joint)}")
+        parts.append(f'<body name="{escape(joint.child)}">{content(joint)}')
         stack.append(None)
         stack.extend(reversed(forest.hanging_on(joint.child)))
     return "".join(parts) + "</body>"
@@ -120,7 +120,7 @@ def mass_and_joint(design: Design, joint: TreeJoint, turns: Mapping[str, Turn], 
         extra += f' springref="{np.pi!r}" stiffness="{PRELOAD * inertia!r}"'
     return (
         f'<inertial pos="{text(centre)}" mass="1" diaginertia="{text([inertia] * 3)}"/>'
-        f'<joint name={quoteattr(joint.hinge.id)} type="hinge" pos="{text(joint.hinge.points[0] / recipe.scale)}" '
+        f'<joint name="{escape(joint.hinge.id)}" type="hinge" pos="{text(joint.hinge.points[0] / recipe.scale)}" '
         f'axis="{text(axis)}" damping="{recipe.damping * inertia!r}"{extra}/>'
     )
 

@@ -2,7 +2,6 @@
 
 from collections.abc import Mapping, Sequence
 from typing import Any
-from xml.sax.saxutils import quoteattr
 
 import numpy as np
 
@@ -57,8 +56,7 @@ def _mjcf(prisms: Mapping[int, Sequence[FloatArray]]) -> str:
     meshes, bodies, count = [], [], 0
     for member, pieces in prisms.items():
         meshes.append(mesh_assets(count, list(pieces)))
-        name = quoteattr(f"patch {member}")
-        bodies.append(f'<body name={name} mocap="true">{mesh_geoms(count, list(pieces))}</body>')
+        bodies.append(f'<body name="{member}" mocap="true">{mesh_geoms(count, list(pieces))}</body>')
         count += len(pieces)
     return (
         f'<mujoco model="plates"><asset>{"".join(meshes)}</asset><worldbody>{"".join(bodies)}</worldbody></mujoco>'
