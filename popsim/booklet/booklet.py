@@ -70,9 +70,9 @@ def make_booklet(
     draughtsman = Draughtsman(Eye(layout, viewpoint()))
     entries = []
     for step in plan.steps:
-        whole = step.kind in (StepKind.CUT, StepKind.FINISH)
-        height = form.figure_height(text_height(step.text, form.body, form.text_width), whole_page=whole)
-        if step.kind is StepKind.CUT:
+        cuts = step.kind is StepKind.CUT
+        height = form.figure_height(text_height(step.text, form.body, form.text_width), whole_page=cuts)
+        if cuts:
             figure = draw_cutting(layout, step.number, form.width, height)
         else:
             shown = closing(step, layout, sweep) if step.kind is StepKind.FINISH else step

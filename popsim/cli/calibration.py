@@ -8,7 +8,9 @@ import typer
 
 def calibration(
     output: Annotated[Path, typer.Option("--output", "-o", help="Folder to write.")] = Path("calibration"),
-    paper: Annotated[str, typer.Option(help="A4, A3, Letter, ... or a size as 300x400mm.")] = "A4",
+    paper: Annotated[
+        str, typer.Option(help='Sheet (A4, Letter, 300x400mm), weight (200gsm) or both ("Letter 160gsm").')
+    ] = "A4",
     style: Annotated[str, typer.Option(help="Line style of the sheet.")] = "origami",
     format: Annotated[
         list[str] | None, typer.Option(help="pdf, svg, dxf or fold; may be repeated. By default pdf and svg.")
@@ -21,12 +23,20 @@ def calibration(
     """
     from popsim import __version__
     from popsim.cli.table import print_verdict
+    from popsim.layout import LayoutSettings
     from popsim.pipeline import RunSettings
     from popsim.pipeline.calibration import NAME, calibration_design, deliver_calibration
     from popsim.pipeline.folder import check_folder
+    from popsim.stock import split_stock
     from popsim.verification import verify
 
-    settings = RunSettings(paper=paper, style=style, formats=tuple(dict.fromkeys(format or ("pdf", "svg"))))
+    stock, sheet = split_stock(paper)
+    settings = RunSettings(
+        paper=sheet or "A4",
+        style=style,
+        layout=LayoutSettings(stock=stock),
+        formats=tuple(dict.fromkeys(format or ("pdf", "svg"))),
+    )
     settings.check_choices()
     check_folder(output, force)
     verdict = verify(calibration_design())

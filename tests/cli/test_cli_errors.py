@@ -38,6 +38,7 @@ def test_what_is_no_model_is_named(popsim, tmp_path: Path, name: str, content: s
         (("design", "m.obj", "--size", "3km"), "--size"),
         (("design", "m.obj", "--paper", "A17"), "A17"),
         (("design", "m.obj", "--style", "baroque"), "baroque"),
+        (("calibration", "--paper", "A17"), "A17"),
         (("design", "m.obj", "--dpi", 5), "dpi"),
         (("design", "m.obj", "--format", "docx"), "docx"),
         (("design", "m.obj", "--registration", "moon"), "moon"),
