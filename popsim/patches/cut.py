@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from popsim.errors import GeometryError
 from popsim.geometry.arrays import FloatArray, locked
 from popsim.mechanisms import Mechanism
+from popsim.mechanisms.base import FIRST_BASE, SECOND_BASE
 from popsim.patches.clean import common, cuttable
 from popsim.patches.corners import clear_corners
 from popsim.patches.crossing import Meeting, uncross
@@ -88,11 +89,14 @@ def _coverage(mechanism: Mechanism, pieces: Mapping[str, Piece]) -> float:
 def _joined(mechanisms: Sequence[Mechanism], pieces: Mapping[str, Piece], settings: PatchSettings) -> list[str]:
     """Paper for all hinges, and no two patches through each other; returns notes."""
     meetings: dict[str, Meeting] = {}
+    snaps: dict[str, float] = {}
     for mechanism in mechanisms:
         for joint in mechanism.joints():
             names = [mechanism.patch_id(role) for role in joint.roles]
             found = [pieces[name] for name in names if name in pieces]
             meetings[" and ".join(names)] = Meeting(joint.axis, found)
+            stands = FIRST_BASE in joint.roles or SECOND_BASE in joint.roles
+            snaps[" and ".join(names)] = settings.snap if stands else settings.seam
     uncross(list(meetings.values()))
-    reached = {names: hold(meeting.runs(), settings) for names, meeting in meetings.items()}
+    reached = {names: hold(meeting.runs(), settings, snaps[names]) for names, meeting in meetings.items()}
     return [f"{names}: strips of the face reach for their hinge" for names, strips in reached.items() if strips]

@@ -106,18 +106,19 @@ class Run:
         return common(Polygon([start, *far, end]).buffer(0), self.piece.face)
 
 
-def hold(runs: list[Run], settings: PatchSettings) -> bool:
+def hold(runs: list[Run], settings: PatchSettings, snap: float | None = None) -> bool:
     """Give the pieces at a joint paper along its line where they hold; return whether strips had to be added.
 
-    The outline is kept where it comes near the line; if that is too little of the line, ever farther stretches of
-    it are joined to the line, the nearest ones first.
+    The outline goes to the line where it comes nearer than `snap` (None: that of the settings); if that is too
+    little of the line, ever farther stretches of it are joined to the line, the nearest ones first.
     """
+    snap = settings.snap if snap is None else snap
     length = runs[0].length
     count = max(4, int(np.ceil(length / STEP)))
     along = np.asarray((np.arange(count) + 0.5) * (length / count), np.float64)
     each = [run.distances(along) for run in runs]
     cost = np.max(each, axis=0)
-    near = _near(cost, along, length, settings)
+    near = _near(cost, along, length, snap, settings)
     stretches = _stretches(near, along, length, settings)
     for run, distance in zip(runs, each, strict=True):
         for low, high in stretches:
@@ -125,16 +126,16 @@ def hold(runs: list[Run], settings: PatchSettings) -> bool:
             strip = run.strip(low, high, along[within], np.minimum(distance[within], cost[near].max()))
             run.piece.shape = union(run.piece.shape, strip)
             run.piece.held.append(strip)
-    return bool(cost[near].max() > settings.snap)
+    return bool(cost[near].max() > snap)
 
 
-def _near(cost: FloatArray, along: FloatArray, length: float, settings: PatchSettings) -> BoolArray:
+def _near(cost: FloatArray, along: FloatArray, length: float, snap: float, settings: PatchSettings) -> BoolArray:
     """Places at which the outline is joined to the line: those within snap, and of the rest as few as hold.
 
     The rest are taken nearest to the line first; of those equally near, the ones beside places taken already.
     """
     needed = min(length, max(settings.least_length, settings.least_share * length)) - ROUNDING
-    near = cost <= settings.snap
+    near = cost <= snap
     seeds = along[near] if near.any() else along[cost.argmin()][None]
     aside = np.abs(along[:, None] - seeds[None, :]).min(axis=1)
     order = np.lexsort((aside, np.ceil(cost / LEVEL)))

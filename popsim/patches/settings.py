@@ -26,6 +26,8 @@ class PatchSettings:
         Paper and holes narrower than this are not cut, mm.
     snap:
         A silhouette nearer than this to a hinge reaches it, mm.
+    seam:
+        The same for hinges between two patches of one mechanism: a gap beside an edge shows more than paper.
     least_share, least_length:
         A hinge holds where it has this share of its line and this length, mm (or all of a shorter line).
     bleed:
@@ -43,6 +45,7 @@ class PatchSettings:
     tolerance: float = 0.3
     thinnest: float = 2.0
     snap: float = 1.5
+    seam: float = 4.0
     least_share: float = 0.25
     least_length: float = 6.0
     bleed: float = 1.5
@@ -53,7 +56,7 @@ class PatchSettings:
     def __post_init__(self) -> None:
         if not 30 <= self.dpi <= 1200:
             raise InputError(f"textures need 30 to 1200 dpi, not {self.dpi:g}")
-        for name in ("pixel", "tolerance", "thinnest", "snap", "least_length"):
+        for name in ("pixel", "tolerance", "thinnest", "snap", "seam", "least_length"):
             if not getattr(self, name) > 0:
                 raise InputError(f"patch setting {name} must be positive, not {getattr(self, name):g} mm")
         if not 0 < self.least_share <= 1 or self.bleed < 0:

@@ -9,7 +9,7 @@ from popsim.geometry.arrays import BoolArray, FloatArray, IntArray, UInt8Array
 from popsim.geometry.plane import Plane
 from popsim.geometry.raster import covered
 from popsim.rendering.edges import feature_edges
-from popsim.rendering.light import LINE, Light, facing
+from popsim.rendering.light import Light, facing
 from popsim.rendering.parallel import map_chunks
 from popsim.rendering.ray_scene import RayScene
 from popsim.rendering.texture import Colours, eight_bit
@@ -154,7 +154,7 @@ def look(scene: RayScene, grid: Grid, box: FloatArray, near: float, far: FloatAr
 
 
 def colours(scene: RayScene, sight: Sight) -> UInt8Array:
-    """Colours as they are, shape (rows, columns, 3); a model of one colour is softly lit and its edges drawn.
+    """Colours as they are, shape (rows, columns, 3); a model of one colour is softly lit.
 
     Pixels that see nothing are black.
     """
@@ -163,31 +163,36 @@ def colours(scene: RayScene, sight: Sight) -> UInt8Array:
     parts = map_chunks(lambda at: scene.paint.colours(face[at], bary[at], sight.grid.pixel), len(seen))
     found: Colours = np.concatenate(parts)
     if scene.paint.plain:
-        found = scene.paint.paper(found)
-        found = np.concatenate([found[:, :3] * _light(scene, sight, seen), found[:, 3:]], axis=1)
+        plane = sight.grid.plane
+        light = Light.of_view(plane.u, plane.v, plane.normal, plane.v)
+        smooth = scene.shading_normals(face, bary, -plane.normal[None])
+        squarely = light.shade(plane.normal.astype(np.float32))  # what lies in the plane keeps its colour
+        found = scene.paint.paper(found)[:, :3] * (light.shade(smooth) / squarely)
     image = np.zeros((len(sight.face), 3), dtype=np.uint8)
     image[seen] = eight_bit(found[:, :3])
     return image.reshape(*sight.grid.shape, 3)
 
 
-def _light(scene: RayScene, sight: Sight, seen: IntArray) -> Colours:
-    """Factors of light and feature lines of the pixels that see something, shape (k, 3)."""
+def lines(scene: RayScene, sight: Sight) -> BoolArray:
+    """Steps and creases of what is seen, for models without colours, shape (rows, columns).
+
+    Outlines are the edges of the paper.
+    """
     grid = sight.grid
     eye = grid.plane.normal
-    face, bary = sight.face[seen], sight.bary[seen]
-    smooth = scene.shading_normals(face, bary, -eye[None])
-    light = Light.of_view(grid.plane.u, grid.plane.v, eye, grid.plane.v)
+    seen = np.flatnonzero(sight.face >= 0)
     normal, point = (np.zeros((len(sight.face), 3), dtype=np.float32) for _ in range(2))
-    normal[seen] = facing(scene.normals.astype(np.float32)[face], -eye)
+    normal[seen] = facing(scene.normals.astype(np.float32)[sight.face[seen]], -eye)
     point[seen] = grid.points(seen) - sight.depth.ravel()[seen, None] * eye
     shape = (*grid.shape, 3)
     width = max(1, round(LINE_WIDTH / grid.pixel))
-    lines = feature_edges(sight.mask, normal.reshape(shape), point.reshape(shape), grid.pixel, width)
-    return light.shade(smooth) * np.where(lines.ravel()[seen], np.float32(LINE), np.float32(1))[:, None]
+    return feature_edges(
+        sight.mask, normal.reshape(shape), point.reshape(shape), grid.pixel, width, outlines=False
+    )
 
 
 LINE_WIDTH = 0.25
-"""mm; width of the feature lines on models without colours."""
+"""mm; width of the lines on models without colours."""
 
 
 def _within(box: FloatArray, grid: Grid) -> tuple[FloatArray, FloatArray]:

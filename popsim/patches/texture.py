@@ -11,8 +11,9 @@ from popsim.mechanisms.assemble import as_points
 from popsim.patches.piece import Piece
 from popsim.patches.refine import BLOCK, refined
 from popsim.patches.settings import PatchSettings
-from popsim.patches.sight import Grid, colours, look
+from popsim.patches.sight import Grid, colours, lines, look
 from popsim.patches.wanted import REACH, depths
+from popsim.rendering.light import LINE
 from popsim.rendering.ray_scene import RayScene
 
 if TYPE_CHECKING:
@@ -43,6 +44,9 @@ def print_of(scene: RayScene, piece: Piece, outline: "Polygon", settings: PatchS
     if not sight.mask.any():
         return None
     filled = colours(scene, sight)[nearest_seen(sight.mask)]
+    if scene.paint.plain:
+        at = lines(scene, sight)
+        filled[at] = (filled[at] * LINE).astype(np.uint8)
     grid, image = refined(scene, sight, filled, piece.box, -REACH, far)
     return Print(png(image), frame_of(grid))
 

@@ -11,7 +11,9 @@ CREASE = float(np.cos(np.radians(30.0)))  # neighbours whose normals turn by mor
 STEP = 3.0  # pixels: a neighbour that leaves the tangent plane by more is on another surface
 
 
-def feature_edges(mask: BoolArray, normal: Image, point: Image, pixel: Image | float, width: int) -> BoolArray:
+def feature_edges(
+    mask: BoolArray, normal: Image, point: Image, pixel: Image | float, width: int, *, outlines: bool = True
+) -> BoolArray:
     """Return the pixels (h, w) on which a feature line is drawn; always within `mask`.
 
     Parameters
@@ -26,12 +28,14 @@ def feature_edges(mask: BoolArray, normal: Image, point: Image, pixel: Image | f
         Side of a pixel at these points, in the unit of the points, shape (h, w) or a number.
     width:
         Width of the lines in pixels.
+    outlines:
+        Whether to draw the border of the mask too.
     """
     lines = np.zeros_like(mask)
     reach = np.broadcast_to(np.asarray(STEP * pixel, dtype=np.float32), mask.shape)
     for axis in (0, 1):
         one, two = _neighbours(axis)
-        outline = mask[one] != mask[two]
+        outline = (mask[one] != mask[two]) & outlines
         both = mask[one] & mask[two]
         turn = np.einsum("...d,...d->...", normal[one], normal[two]) < CREASE
         apart = point[two] - point[one]

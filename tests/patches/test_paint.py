@@ -11,11 +11,13 @@ from PIL import Image
 
 from popsim.design import Card, dump_design
 from popsim.errors import GeometryError
+from popsim.geometry.surface import Material, Surface
 from popsim.mechanisms import assemble, card_pair
 from popsim.mechanisms.box_fold import BoxFold, Top
 from popsim.mechanisms.step_fold import StepFold
 from popsim.mechanisms.tent_fold import TentFold
 from popsim.patches import PatchSettings, paint
+from popsim.rendering.paint import PAPER
 from popsim.validity import examine
 
 CARD = Card(x=(-200, 200), depth=250)
@@ -231,3 +233,27 @@ def test_ears_leave_the_corner_to_the_step_that_stands_there():
     assert design.patch_by_id["M1.F_L"].points[:, 1].max() == pytest.approx(30, abs=1e-6)
     assert design.patch_by_id["M1.F_R"].points[:, 1].min() == pytest.approx(-38, abs=0.4)
     assert list(crossings(design, closed_form_poses(design, ANGLES), ANGLES, 0.05)) == []
+
+
+def test_a_gap_beside_an_edge_is_closed_and_one_at_the_ground_stays():
+    narrow = joined(coloured_box((-50, -27.5, 3), (50, 27.5, 40)), coloured_box((-10, -30, 0), (10, 30, 40)))
+    shapes = painted([box_fold()], narrow, prints=False).shapes
+    front, side = shapes["M1.F_L"].outline, shapes["M1.L"].outline
+    assert front[:, 1].max() == pytest.approx(30, abs=1e-6)
+    edge = front[np.abs(front[:, 1] - 30) < 1e-6, 2]
+    assert np.ptp(edge) == pytest.approx(37, abs=0.5)
+    foot = side[np.abs(side[:, 2]) < 1e-6, 0]
+    assert np.ptp(foot) < 60
+
+
+def test_models_without_colours_print_as_paper_with_creases():
+    body = joined(coloured_box((-50, -30, 0), (50, 30, 40)), coloured_box((-20, -34, 10), (20, 34, 25)))
+    plain = Surface(body.triangles, body.uv, np.zeros_like(body.material), (Material(np.full(4, 0.6)),))
+    image = Image.open(BytesIO(painted([box_fold()], plain).images["textures/M1.L.png"]))
+    pixels = np.asarray(image).astype(int)
+    paper = np.rint(PAPER * 255).astype(int)
+    assert (np.abs(pixels - paper).max(axis=2) <= 1).mean() > 0.9
+    dark = pixels.max(axis=2) < 0.6 * paper.min()
+    height, width = dark.shape
+    assert not dark[:6].any() and not dark[:, :6].any()  # outlines are the edges of the paper
+    assert dark[:, width // 2].any() and dark[height // 2].any()
