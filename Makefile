@@ -3,8 +3,9 @@ PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
 MODEL ?= models/truck/truck.obj
+MODELS ?= models
 
-.PHONY: setup demo test bench clean
+.PHONY: setup demo test bench gallery clean
 
 setup: $(VENV)/.ready
 
@@ -29,6 +30,9 @@ test: setup
 
 bench: setup
 	$(BIN)/pytest tests/benchmarks -o addopts='' -q --benchmark-group-by=group
+
+gallery: setup
+	$(BIN)/popsim gallery $(MODELS) --output tests/pictures/gallery.jpg --force
 
 clean:
 	rm -rf demo dist build .mypy_cache .ruff_cache .pytest_cache .hypothesis .benchmarks

@@ -8,7 +8,7 @@ import typer
 
 def render(
     path: Annotated[Path, typer.Argument(metavar="DESIGN", help="A design.json.")],
-    output: Annotated[Path, typer.Option("--output", "-o", metavar="FILE", help="PNG to write.")],
+    output: Annotated[Path, typer.Option("--output", "-o", metavar="FILE", help="PNG or JPEG to write.")],
     angle: Annotated[list[float], typer.Option(help="Fold angle in degrees; may be repeated.")] = [180.0],  # noqa: B006  # typer copies it
     model: Annotated[Path | None, typer.Option(help="Draw the model beside it.")] = None,
     sheet: Annotated[Path | None, typer.Option(help="Draw the first page of this PDF too.")] = None,
@@ -27,8 +27,11 @@ def render(
     from popsim.design import load_design
     from popsim.files import refuse_overwrite, write_file
     from popsim.pictures import Look, picture_strip
+    from popsim.pictures.picture_file import save_options
 
+    options = save_options(output)
     refuse_overwrite(output, force)
     looks = [Look(side, elevation, width, height) for side in azimuth]
     strip = picture_strip(load_design(path), path.parent, angle, looks=looks, model=model, sheet=sheet)
-    write_file(output, lambda temporary: Image.fromarray(strip).save(temporary, format="PNG"), force=force)
+    picture = Image.fromarray(strip).convert("RGB")
+    write_file(output, lambda temporary: picture.save(temporary, **options), force=force)

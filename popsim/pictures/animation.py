@@ -10,8 +10,8 @@ from popsim.design import Design, Patch
 from popsim.errors import InputError
 from popsim.files import write_file
 from popsim.geometry.arrays import FloatArray, IntArray
-from popsim.pictures.moving import MovingPopup
 from popsim.pictures.look import Look
+from popsim.pictures.moving import MovingPopup
 from popsim.pictures.video import require_encoder, write_mp4
 from popsim.simulation.contact import Contact
 from popsim.simulation.sweep import Sweep

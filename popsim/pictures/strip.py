@@ -21,6 +21,10 @@ RECORDED = 180
 """Fold angles recorded while closing, one per degree."""
 
 
+AROUND = 0.08
+"""How much of the pages is seen around the pop-up from near, of its size."""
+
+
 def picture_strip(
     design: Design,
     textures: Path,
@@ -61,7 +65,7 @@ def picture_strip(
         _laid(popup_surface(design, textures, poses), angle)
         for angle, poses in zip(angles, _poses(design, angles), strict=True)
     ]
-    solid = None if model is None else model_surface(design, model)
+    solid = None if model is None else _model_surface(design, model)
     card = popup_surface(design, textures).bounds
     pictures, captions = [], []
     for look in looks:
@@ -92,7 +96,31 @@ def open_picture(design: Design, textures: "Textures", look: Look | None = None)
     return photograph(surface, camera_for(surface.bounds, look), look)
 
 
-def model_surface(design: Design, model: Path) -> Surface:
+def beside(design: Design, textures: "Textures", solid: Surface, look: Look) -> UInt8Array:
+    """Draw a model and its open pop-up from near, side by side, RGBA, shape (h, 2 w, 4).
+
+    Parameters
+    ----------
+    solid:
+        The model where it stands on the card.
+    """
+    from popsim.patches.popup_surface import popup_surface
+
+    camera = camera_for(_near(design), look)
+    pair = [photograph(surface, camera, look) for surface in (solid, popup_surface(design, textures))]
+    return np.concatenate(pair, axis=1)
+
+
+def _near(design: Design) -> FloatArray:
+    """Box around the open pop-up and a little of the pages, rows low and high, shape (2, 3)."""
+    pages = np.concatenate([patch.points for patch in design.patches])
+    corners = np.concatenate([patch.points for patch in (design.popup_patches or design.patches)])
+    low, high = corners.min(axis=0), corners.max(axis=0)
+    reserve = AROUND * float((high - low).max())
+    return np.array([np.maximum(low - reserve, pages.min(axis=0)), np.minimum(high + reserve, pages.max(axis=0))])
+
+
+def _model_surface(design: Design, model: Path) -> Surface:
     """The model where it stands on the card.
 
     Raises

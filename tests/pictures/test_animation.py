@@ -20,8 +20,8 @@ from popsim.pictures.animation import (
     first_to_cross,
     write_animation,
 )
-from popsim.pictures.moving import MovingPopup
 from popsim.pictures.look import Look
+from popsim.pictures.moving import MovingPopup
 from popsim.pictures.video import write_mp4
 from popsim.verification import verify
 
