@@ -9,7 +9,7 @@ from popsim.geometry.arrays import BoolArray, FloatArray, IntArray
 from popsim.geometry.frame import OPEN
 from popsim.simulation.solver import END_DEGREES, Pacing
 
-STOPS = 4.0
+STOPS = 2.0
 """Degrees; at most this far apart the pages stop and the structure settles, whatever is recorded."""
 
 END_STOPS = 1.0
