@@ -22,7 +22,7 @@ INDENT = 9.0
 
 def draw_steps(plan: AssemblyPlan) -> tuple[Sheet, ...]:
     """Pages of the paper's size with the steps; a step is never divided between pages."""
-    paper, margin = plan.layout.paper, plan.layout.settings.border
+    paper, margin = plan.layout.paper, plan.layout.settings.margin
     letters = int((paper.width - 2 * margin - INDENT) / (TEXT_WIDTH * BODY))
     pages: list[list[Mark]] = []
     y = 0.0

@@ -65,7 +65,9 @@ def design(
     ] = None,
     two_sided: Annotated[bool, typer.Option("--two-sided", help="Mirrored sheets for the back.")] = False,
     grain: Annotated[bool, typer.Option("--grain", help="Keep the direction of the paper's grain.")] = False,
-    registration: Annotated[str, typer.Option(help="Marks for a cutting machine: none or silhouette.")] = "none",
+    registration: Annotated[
+        str, typer.Option(help="Marks and limits of a cutting machine: none, silhouette or cricut.")
+    ] = "none",
     dpi: Annotated[float, typer.Option(help="Resolution of the prints.")] = 300.0,
     base: Annotated[str, typer.Option(help="What the pages show: none, outline or print.")] = "outline",
     bleed: Annotated[str, typer.Option(help="How far prints reach beyond cuts and folds.")] = "1mm",

@@ -60,6 +60,6 @@ def _sheet(layout: Layout, title: str, marks: list[Mark]) -> Sheet:
 
 
 def _headings(layout: Layout, title: str, banner: str | None) -> list[Mark]:
-    paper, border = layout.paper, layout.settings.border
+    frame = layout.settings.frame(layout.paper)
     words = f"{title}, reverse: print on the back, flipped on the long edge. {banner or ''}".rstrip()
-    return [Text(Role.LABEL, words, np.array([border, paper.height - border - HEADING]), HEADING)]
+    return [Text(Role.LABEL, words, np.array([frame.left, frame.high - HEADING]), HEADING)]

@@ -6,9 +6,9 @@ import numpy as np
 
 from popsim.layout.paper import Paper
 from popsim.layout.registration import REGISTRATIONS
-from popsim.layout.settings import HEADER, LayoutSettings
+from popsim.layout.settings import HEADER, Frame, LayoutSettings
 from popsim.layout.sheet import TEXT_WIDTH, Area, Line, Mark, Role, Text, text_width, wrapped
-from popsim.stock import CreaseAdvice
+from popsim.stock import CreaseAdvice, Stock
 
 SMALL = 2.2
 """mm; font size of the legend."""
@@ -35,6 +35,11 @@ ADVICE: dict[CreaseAdvice, str] = {
     "perforate": "cut through the dashes of each crease",
 }
 
+NOTE = "Print at 100 % and measure the bars."
+
+BARS = 130.0
+"""mm; what the scale bars take."""
+
 SAMPLE = 11.5
 """mm; what a sample in the legend takes."""
 
@@ -43,37 +48,37 @@ def furnish(
     paper: Paper, settings: LayoutSettings, title: str, *, footer: str, banner: str | None
 ) -> Iterator[Mark]:
     """Marks in the bands above and below the pieces."""
-    left, right = settings.border, paper.width - settings.border
-    yield from _head(paper, settings, title, banner)
-    base = settings.border
-    yield from _footer(footer, left, right, base)
-    yield from _scale_bars(left, base + 5.2)
-    yield from _legend(left, right, base + 9.7)
+    frame = settings.frame(paper)
+    yield from _head(frame, settings.stock, title, banner)
+    beside = frame.width >= BARS + text_width(NOTE, SMALL)
+    yield from _footer(footer if beside else f"{NOTE} {footer}", frame)
+    yield from _scale_bars(frame.left, frame.low + 5.2)
+    if beside:
+        yield Text(Role.LABEL, NOTE, np.array([frame.left + BARS, frame.low + 5.2]), SMALL)
+    yield from _legend(frame.left, frame.right, frame.low + 9.7)
     yield from REGISTRATIONS[settings.registration].marks(paper)
 
 
-def _head(paper: Paper, settings: LayoutSettings, title: str, banner: str | None) -> Iterator[Mark]:
-    y = paper.height - settings.border - HEADER + 1.4
-    if settings.stock is not None:
-        title = f"{settings.stock.name}: {ADVICE[settings.stock.crease_advice]}.  {title}"
-    yield Text(Role.LABEL, title, np.array([paper.width - settings.border, y]), TITLE, anchor="end")
+def _head(frame: Frame, stock: Stock | None, title: str, banner: str | None) -> Iterator[Mark]:
+    y = frame.high - HEADER + 1.4
+    if stock is not None:
+        title = f"{stock.name}: {ADVICE[stock.crease_advice]}.  {title}"
+    yield Text(Role.LABEL, title, np.array([frame.right, y]), TITLE, anchor="end")
     if banner:
-        room = paper.width - 2 * settings.border - text_width(title, TITLE) - 5
+        room = frame.width - text_width(title, TITLE) - 5
         size = min(HEADER - 1, room / max(len(banner), 1) / (TEXT_WIDTH * 1.1))
-        yield Text(Role.LABEL, banner, np.array([settings.border, y]), size, bold=True)
+        yield Text(Role.LABEL, banner, np.array([frame.left, y]), size, bold=True)
 
 
-def _footer(footer: str, left: float, right: float, base: float) -> Iterator[Text]:
-    lines = wrapped(footer, FINE, right - left)[:2]
+def _footer(footer: str, frame: Frame) -> Iterator[Text]:
+    lines = wrapped(footer, FINE, frame.width)[:2]
     for k, line in enumerate(reversed(lines)):
-        yield Text(Role.LABEL, line, np.array([left, base + 0.5 + 2.2 * k]), FINE)
+        yield Text(Role.LABEL, line, np.array([frame.left, frame.low + 0.5 + 2.2 * k]), FINE)
 
 
 def _scale_bars(left: float, y: float) -> Iterator[Mark]:
     yield from _bar(left, y, 10.0, 5, "5 cm")
     yield from _bar(left + 64, y, INCH, 2, "2 in")
-    note = "Print at 100 % and measure the bars."
-    yield Text(Role.LABEL, note, np.array([left + 130, y]), SMALL)
 
 
 def _bar(left: float, y: float, step: float, count: int, name: str) -> Iterator[Mark]:

@@ -106,7 +106,7 @@ def lay_out(
     joints = find_joints(design, listed)
     nets, flaps = plan_pieces(listed, joints, room, settings, in_the_way)
     pieces = make_pieces(parts, nets, flaps)
-    return Layout(paper, settings, parts, joints, pieces, _numbers(joints, flaps), _place(pieces, room, settings))
+    return Layout(paper, settings, parts, joints, pieces, _numbers(joints, flaps), _place(pieces, paper, settings))
 
 
 def _numbers(joints: tuple[Joint, ...], flaps: tuple[Flap, ...]) -> dict[str, int]:
@@ -114,12 +114,10 @@ def _numbers(joints: tuple[Joint, ...], flaps: tuple[Flap, ...]) -> dict[str, in
     return {joint.id: k for k, joint in enumerate((j for j in joints if j.id in glued), 1)}
 
 
-def _place(
-    pieces: tuple[Piece, ...], room: tuple[float, float], settings: LayoutSettings
-) -> tuple[Placement, ...]:
+def _place(pieces: tuple[Piece, ...], paper: Paper, settings: LayoutSettings) -> tuple[Placement, ...]:
     names = [piece.name for piece in pieces]
-    places = nest([piece.outline for piece in pieces], names, room, settings.apart, settings.grain)
-    corner = flat_motion(0.0, settings.corner)
+    places = nest([piece.outline for piece in pieces], names, settings.area(paper), settings.apart, settings.grain)
+    corner = flat_motion(0.0, settings.corner(paper))
     return tuple(
         Placement(piece, place.sheet, corner @ place.motion) for piece, place in zip(pieces, places, strict=True)
     )

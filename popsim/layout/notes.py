@@ -17,7 +17,7 @@ SIZE, LEADING = 3.0, 1.45
 
 def note_marks(layout: Layout, notes: tuple[str, ...]) -> Iterator[Mark]:
     """Marks of the notes under their heading, at the top of a sheet."""
-    left, top = layout.settings.border, _top(layout)
+    left, top = layout.settings.frame(layout.paper).left, _top(layout)
     yield Text(Role.LABEL, HEADING, np.array([left, top - SIZE]), 1.3 * SIZE, bold=True)
     for k, line in enumerate(_lines(layout, notes), 2):
         yield Text(Role.LABEL, line, np.array([left, top - k * LEADING * SIZE]), SIZE)
@@ -30,11 +30,11 @@ def notes_fit(layout: Layout, notes: tuple[str, ...]) -> bool:
 
 
 def _top(layout: Layout) -> float:
-    return layout.paper.height - layout.settings.border - HEADER - SIZE
+    return layout.settings.frame(layout.paper).high - HEADER - SIZE
 
 
 def _lines(layout: Layout, notes: tuple[str, ...]) -> list[str]:
-    room = layout.paper.width - 2 * layout.settings.border
+    room = layout.settings.frame(layout.paper).width
     return [line for k, note in enumerate(notes, 1) for line in wrapped(f"{k}. {note}", SIZE, room)]
 
 

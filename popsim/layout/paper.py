@@ -40,10 +40,9 @@ PAPERS = {
         Paper("Letter", 215.9, 279.4),
         Paper("Legal", 215.9, 355.6),
         Paper("Tabloid", 279.4, 431.8),
-        Paper("Cricut", 171.45 + 20, 234.95 + 20),
     )
 }
-"""Portrait formats by lower-case name. Cricut: its print-then-cut area of 6.75 x 9.25 in within 10 mm margins."""
+"""Portrait formats by lower-case name."""
 
 _CUSTOM = re.compile(r"(\d+(?:\.\d+)?)\s*x\s*(\d+(?:\.\d+)?)\s*(mm|cm|in)?")
 _UNITS = {None: 1.0, "mm": 1.0, "cm": 10.0, "in": 25.4}

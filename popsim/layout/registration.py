@@ -1,6 +1,7 @@
 """Marks by which a cutting machine finds the print. A new machine is one row of the table."""
 
 from collections.abc import Callable, Iterator
+from math import inf
 from typing import NamedTuple
 
 import numpy as np
@@ -18,11 +19,25 @@ ARM = 20.0
 """mm; length of the arms of the two other marks."""
 
 
+INCH = 25.4
+
+
 class Registration(NamedTuple):
-    """Marks of a machine, and the border in mm that must stay free for them."""
+    """What a machine needs.
+
+    Attributes
+    ----------
+    border:
+        mm that must stay free all round, for its marks.
+    marks:
+        Draws them.
+    most:
+        Shorter and longer side of what it takes at once, mm; the middle of the paper is used.
+    """
 
     border: float
     marks: Callable[[Paper], Iterator[Mark]]
+    most: tuple[float, float] = (inf, inf)
 
 
 def _silhouette(paper: Paper) -> Iterator[Mark]:
@@ -38,5 +53,9 @@ def _none(paper: Paper) -> Iterator[Mark]:
     yield from ()
 
 
-REGISTRATIONS = {"none": Registration(0.0, _none), "silhouette": Registration(INSET + SQUARE + 1.0, _silhouette)}
-"""By name."""
+REGISTRATIONS = {
+    "none": Registration(0.0, _none),
+    "silhouette": Registration(INSET + SQUARE + 1.0, _silhouette),
+    "cricut": Registration(0.0, _none, most=(6.75 * INCH, 9.25 * INCH)),
+}
+"""By name. Cricut's software adds its marks itself, round what it takes for print-then-cut."""

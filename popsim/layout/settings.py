@@ -1,6 +1,7 @@
 """What can be chosen about a layout."""
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 from popsim.layout.errors import LayoutError
 from popsim.layout.paper import Paper
@@ -13,6 +14,20 @@ FOOTER = 13.0
 
 HEADER = 4.0
 """mm below the upper margin kept for the title and the banner."""
+
+
+class Frame(NamedTuple):
+    """A rectangle on a sheet of paper, mm from its lower left corner."""
+
+    left: float
+    low: float
+    right: float
+    high: float
+
+    @property
+    def width(self) -> float:
+        """From left to right, mm."""
+        return self.right - self.left
 
 
 @dataclass(frozen=True)
@@ -38,7 +53,7 @@ class LayoutSettings:
     stock:
         The paper; None for common paper that needs no advice, with edges as designed.
     registration:
-        Marks for a cutting machine, a name in :data:`popsim.layout.registration.REGISTRATIONS`.
+        Marks and limits of a cutting machine, a name in :data:`popsim.layout.registration.REGISTRATIONS`.
     """
 
     margin: float = 8.0
@@ -69,33 +84,42 @@ class LayoutSettings:
         return max(self.gap, 2 * self.bleed)
 
     @property
-    def clearance(self) -> float:
-        """How far a flap stays inside the outline of its target and off other lines, mm."""
-        return KNIFE + (USUAL if self.stock is None else self.stock.thickness)
+    def thickness(self) -> float:
+        """Of the paper, mm; of common paper where none is named."""
+        return USUAL if self.stock is None else self.stock.thickness
 
     @property
-    def border(self) -> float:
-        """What stays free of pieces and texts all round, mm: the margin, or more for registration marks."""
-        return max(self.margin, REGISTRATIONS[self.registration].border)
+    def clearance(self) -> float:
+        """How far a flap stays inside the outline of its target and off other lines, mm."""
+        return KNIFE + self.thickness
 
-    def area(self, paper: Paper) -> tuple[float, float]:
-        """Width and height that pieces may use on `paper`, mm.
+    def frame(self, paper: Paper) -> Frame:
+        """What of `paper` is printed on at all, texts included.
 
         Raises
         ------
         LayoutError
             The margins leave nothing.
         """
-        width = paper.width - 2 * self.border
-        height = paper.height - 2 * self.border - HEADER - FOOTER
-        if min(width, height) < 20:
+        machine = REGISTRATIONS[self.registration]
+        border = max(self.margin, machine.border)
+        short, long = machine.most
+        most = (short, long) if paper.width <= paper.height else (long, short)
+        width, height = min(paper.width - 2 * border, most[0]), min(paper.height - 2 * border, most[1])
+        if min(width, height - HEADER - FOOTER) < 20:
             raise LayoutError(
-                f"margins of {self.border:g} mm leave {width:.0f} x {height:.0f} mm of {paper.name}; "
+                f"margins of {border:g} mm leave {width:.0f} x {height - HEADER - FOOTER:.0f} mm of {paper.name}; "
                 "use smaller margins or larger paper"
             )
-        return width, height
+        left, low = (paper.width - width) / 2, (paper.height - height) / 2
+        return Frame(left, low, left + width, low + height)
 
-    @property
-    def corner(self) -> tuple[float, float]:
+    def area(self, paper: Paper) -> tuple[float, float]:
+        """Width and height that pieces may use on `paper`, mm; errors as :meth:`frame`."""
+        frame = self.frame(paper)
+        return frame.width, frame.high - frame.low - HEADER - FOOTER
+
+    def corner(self, paper: Paper) -> tuple[float, float]:
         """Lower left corner of that area on the sheet, mm from the lower left corner of the paper."""
-        return self.border, self.border + FOOTER
+        frame = self.frame(paper)
+        return frame.left, frame.low + FOOTER

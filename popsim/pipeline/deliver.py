@@ -38,7 +38,7 @@ def deliver(run: DesignRun, folder: Path, *, command: str, footer: str, force: b
 def _fill(run: DesignRun, folder: Path, command: str, footer: str) -> list[Path]:
     """Write everything into a folder of its own; the files, the report last."""
     made: list[Path] = []
-    layout = None
+    planned = None
     if run.verdict.passed or run.settings.allow_unverified:
         for name, content in run.painted.images.items():
             (folder / name).parent.mkdir(exist_ok=True)
@@ -47,13 +47,12 @@ def _fill(run: DesignRun, folder: Path, command: str, footer: str) -> list[Path]
         banner = None if run.verdict.passed else UNVERIFIED
         title = run.prepared.model.path.stem
         sweep = run.verdict.evidence.sweep
-        plan, prints = write_prints(
+        planned, prints = write_prints(
             run.design, sweep, folder, run.settings, name=title, footer=footer, banner=banner
         )
-        layout = plan.layout
         made += prints
     (folder / WISHES).write_text(_wishes(run, command))
-    report = json.dumps(report_of(run, layout, command), indent=1, allow_nan=False)
+    report = json.dumps(report_of(run, planned, command), indent=1, allow_nan=False)
     (folder / REPORT).write_text(report + "\n")
     return [*made, folder / WISHES, folder / REPORT]
 

@@ -2,11 +2,10 @@
 
 from pathlib import Path
 
-from popsim.assembly import AssemblyPlan, plan_assembly
 from popsim.booklet import write_booklet
 from popsim.design import Design, dump_design
 from popsim.export import export
-from popsim.layout import lay_out
+from popsim.pipeline.planned import Planned, plan_sheets
 from popsim.pipeline.settings import RunSettings
 from popsim.simulation import Sweep
 
@@ -21,7 +20,7 @@ def write_prints(
     footer: str,
     banner: str | None = None,
     checks: tuple[str, ...] = (),
-) -> tuple[AssemblyPlan, list[Path]]:
+) -> tuple[Planned, list[Path]]:
     """Write design, sheets, booklet and steps into a folder that has the textures of the design.
 
     Parameters
@@ -39,9 +38,10 @@ def write_prints(
 
     Returns
     -------
-    The plan of the assembly, and the files written.
+    What was planned, and the files written.
     """
-    plan = plan_assembly(lay_out(design, paper=settings.paper, settings=settings.layout))
+    planned = plan_sheets(design, sweep, paper=settings.paper, settings=settings.layout)
+    plan, checks = planned.plan, (*checks, *planned.notes)
     made = [folder / "design.json"]
     made[0].write_text(dump_design(design))
     for kind in settings.formats:
@@ -60,4 +60,4 @@ def write_prints(
     made += write_booklet(plan, design, sweep, folder, name=name, banner=banner, checks=checks)
     made.append(folder / "assembly.md")
     made[-1].write_text(plan.text)
-    return plan, made
+    return planned, made

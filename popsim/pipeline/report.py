@@ -3,12 +3,12 @@
 from typing import Any
 
 from popsim import __version__
-from popsim.layout import Layout
+from popsim.pipeline.planned import Planned
 from popsim.pipeline.run import DesignRun
 
 
-def report_of(run: DesignRun, layout: Layout | None, command: str) -> dict[str, Any]:
-    """The report as plain data; `layout` is None where nothing was exported."""
+def report_of(run: DesignRun, planned: Planned | None, command: str) -> dict[str, Any]:
+    """The report as plain data; `planned` is None where nothing was exported."""
     prepared, fit = run.prepared, run.fit
     return {
         "format": "popsim-report",
@@ -52,18 +52,21 @@ def report_of(run: DesignRun, layout: Layout | None, command: str) -> dict[str, 
             "cut_length_mm": _rounded(run.painted.cut_length),
             "vertices": run.painted.vertices,
         },
-        "layout": None if layout is None else _layout(layout),
+        "layout": None if planned is None else _layout(planned),
         "verification": run.verdict.to_dict(),
-        "notes": list(run.notes),
+        "notes": [*run.notes, *(planned.notes if planned else ())],
     }
 
 
-def _layout(layout: Layout) -> dict[str, Any]:
+def _layout(planned: Planned) -> dict[str, Any]:
+    layout, contacts = planned.layout, planned.contacts
+    in_the_way = None if contacts is None else len({contact.flap.joint.id for contact in contacts})
     return {
         "paper": layout.paper.name,
         "sheets": layout.sheet_count,
         "pieces": len(layout.pieces),
         "flaps": len(layout.flaps),
+        "flaps_in_the_way": in_the_way,
     }
 
 

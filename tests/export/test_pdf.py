@@ -80,7 +80,7 @@ def test_sizes_are_true_at_600_dpi(tmp_path: Path) -> None:
     (made,) = export(layout, tmp_path / "s.pdf", "pdf", texture_root=tmp_path)
     bitmap = pypdfium2.PdfDocument(made)[0].render(scale=DPI / 72, grayscale=True).to_numpy().squeeze()
     dark = bitmap < 100
-    low = layout.settings.corner[1]
+    low = layout.settings.corner(layout.paper)[1]
     high = dark[: int((210 - low + 1) / 25.4 * DPI)]  # above the legend
     rows, columns = (np.flatnonzero(high.mean(axis=axis) > 0.25) for axis in (1, 0))
     width, height = (

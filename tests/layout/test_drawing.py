@@ -5,7 +5,7 @@ import pytest
 
 from popsim.design import Design
 from popsim.layout import Face, LayoutError, LayoutSettings, draw_sheets, lay_out
-from popsim.layout.sheet import Area, Line, Role, Sheet, Text
+from popsim.layout.sheet import Area, Line, Role, Sheet, Text, text_width
 
 
 def texts(sheet: Sheet) -> list[str]:
@@ -51,6 +51,22 @@ def test_silhouette_marks_keep_clear_of_the_pieces(box: Design) -> None:
     points = np.concatenate([mark.points for mark in sheet.of(Role.CUT) if isinstance(mark, Line)])
     assert points.min() >= 16 - 1e-6
     assert (points <= (210 - 16 + 1e-6, 297 - 16 + 1e-6)).all()
+
+
+@pytest.mark.parametrize("paper", ["A4", "Letter landscape"])
+def test_cricut_sheets_stay_within_what_it_prints_and_cuts(box: Design, paper: str) -> None:
+    layout = lay_out(box, paper=paper, settings=LayoutSettings(registration="cricut"))
+    short, long = 6.75 * 25.4, 9.25 * 25.4
+    for sheet in draw_sheets(layout, footer="x " * 300, banner="NOT VERIFIED"):
+        assert not sheet.of(Role.REGISTRATION)
+        points = np.concatenate([mark.points for mark in sheet.marks if isinstance(mark, Line)])
+        words = [mark for mark in sheet.marks if isinstance(mark, Text)]
+        widths = [text_width(text.text, text.size) * (text.anchor == "start") for text in words]
+        ends = [text.at + np.array([width, 0]) for text, width in zip(words, widths, strict=True)]
+        points = np.concatenate([points, [text.at for text in words], ends])
+        assert (np.sort(np.ptp(points, axis=0)) <= np.array([short, long]) + 1e-6).all()
+        middle = (points.min(axis=0) + points.max(axis=0)) / 2
+        assert np.abs(middle - [sheet.width / 2, sheet.height / 2]).max() < 10
 
 
 def test_unknown_marks_are_refused() -> None:

@@ -91,7 +91,7 @@ def test_a_folded_flap_lies_where_it_lands(layout: Layout) -> None:
 
 def test_pieces_keep_off_each_other_and_the_margins(layout: Layout) -> None:
     width, height = layout.settings.area(layout.paper)
-    x, y = layout.settings.corner
+    x, y = layout.settings.corner(layout.paper)
     area = rectangle(x, y, x + width, y + height).buffer(1e-6)
     sheets: dict[int, list[shapely.Polygon]] = {}
     for placement in layout.placements:
