@@ -7,9 +7,7 @@ PIECES, SHEETS, STEPS = ("piece", "pieces"), ("sheet", "sheets"), ("step", "step
 STEP = "Step {number}"
 PIECE = "{name}, sheet {sheet}"
 SHEET = "sheet {sheet}"
-BEFORE, AFTER = "before", "after"
 PAGE = "page {page} of {pages}"
-COVER = "Cover"
 
 NEEDED = "You need"
 TOOLS = (
