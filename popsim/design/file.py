@@ -17,6 +17,10 @@ MOST_PATCHES = 20_000
 MOST_HINGES = 5 * MOST_PATCHES
 """Likewise; contours may cut a hinge into several."""
 
+OUTLINE = '"outline"'
+MOST_OUTLINES = 5 * MOST_PATCHES
+"""Files in which the word stands more often are refused before they are parsed, which would take minutes."""
+
 
 def load_design(path: Path) -> Design:
     """Read a design file.
@@ -85,6 +89,12 @@ def design_schema() -> dict[str, Any]:
 
 
 def _read_json(content: bytes | str, name: str) -> dict[str, Any]:
+    outlines = content.count(OUTLINE) if isinstance(content, str) else content.count(OUTLINE.encode())
+    if outlines > MOST_OUTLINES:
+        raise DesignError(
+            f"{name}: {outlines} outlines are more than the {MOST_PATCHES} patches that can be handled"
+        )
+
     def refuse(constant: str) -> NoReturn:
         raise DesignError(f"{name}: holds {constant}; all numbers must be finite")
 

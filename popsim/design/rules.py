@@ -20,6 +20,9 @@ PLANAR = 0.01
 SHORTEST = 0.01
 """mm; a hinge or an edge below this is no line."""
 
+LARGEST = 1e6
+"""mm; no coordinate is beyond a kilometre, where nanometres would be lost."""
+
 SMALLEST = 1e-4
 """mm^2; an outline below this is no patch."""
 
@@ -37,6 +40,7 @@ def check_rules(design: Design) -> None:
     _unique("mechanisms", (mechanism.id for mechanism in design.mechanisms))
     if not design.card.x[0] < design.card.x[1]:
         raise DesignError(f"card.x: the first number must be below the second, not {list(design.card.x)}")
+    _check_size(design)
     polygons = {
         patch.id: _checked_polygon(f"patches[{index}] ({patch.id})", patch)
         for index, patch in enumerate(design.patches)
@@ -59,6 +63,18 @@ def _unique(field: str, ids: Iterable[str]) -> None:
     repeated = [name for name, count in Counter(ids).items() if count > 1]
     if repeated:
         raise DesignError(f"{field}: the id {repeated[0]!r} is used more than once; ids must be unique")
+
+
+def _check_size(design: Design) -> None:
+    lengths = {"card": np.array([*design.card.x, design.card.depth, design.card.thickness])}
+    for index, patch in enumerate(design.patches):
+        lengths[f"patches[{index}] ({patch.id})"] = np.concatenate([patch.points, *patch.hole_points])
+    for index, hinge in enumerate(design.hinges):
+        lengths[f"hinges[{index}] ({hinge.id})"] = hinge.points
+    for field, numbers in lengths.items():
+        largest = float(np.abs(numbers).max())
+        if largest > LARGEST:
+            raise DesignError(f"{field}: {largest:.3g} mm is beyond the {LARGEST:g} mm that a design may reach")
 
 
 def _checked_polygon(field: str, patch: Patch) -> "Polygon":

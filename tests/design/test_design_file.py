@@ -180,6 +180,11 @@ def test_errors_name_the_file(tmp_path: Path) -> None:
         load_design(path)
 
 
+def test_a_million_patches_are_refused_before_the_file_is_parsed() -> None:
+    with pytest.raises(DesignError, match="1000000 outlines are more than the 20000 patches"):
+        parse_design(b'{"patches": [' + b'{"outline": [], ' * 1_000_000)
+
+
 @pytest.mark.parametrize(("field", "most"), [("patches", 20_000), ("hinges", 100_000)])
 def test_a_million_are_refused_before_any_is_looked_at(data: dict[str, Any], field: str, most: int) -> None:
     data[field] = [data[field][0]] * 1_000_000

@@ -35,10 +35,16 @@ def test_ids_are_unique(data: Data, kind: str) -> None:
     refused(data, f"{kind}: the id '{data[kind][0]['id']}' is used more than once")
 
 
-@pytest.mark.parametrize("name", ["", "two words", "x" * 101])
+@pytest.mark.parametrize("name", ["", "two words", "x" * 101, "nul\0", "bell\a"])
 def test_ids_are_words(data: Data, name: str) -> None:
     patch(data, "M2.T_3")["id"] = name
     refused(data, r"patches\[\d+\]\.id")
+
+
+@pytest.mark.parametrize("far", [1e7, 1e300])
+def test_nothing_is_farther_than_nanometres_can_be_told(data: Data, far: float) -> None:
+    patch(data, "M2.T_3")["outline"][0][0] = far
+    refused(data, r"patches\[\d+\] \(M2.T_3\): 1e\+\d+ mm is beyond")
 
 
 @pytest.mark.parametrize("page", ["G", "B"])
