@@ -106,7 +106,8 @@ def beside(design: Design, textures: "Textures", solid: Surface, look: Look) -> 
     """
     from popsim.patches.popup_surface import popup_surface
 
-    camera = camera_for(_near(design), look)
+    near, model = _near(design), solid.bounds
+    camera = camera_for(np.array([np.minimum(near[0], model[0]), np.maximum(near[1], model[1])]), look)
     pair = [photograph(surface, camera, look) for surface in (solid, popup_surface(design, textures))]
     return np.concatenate(pair, axis=1)
 
