@@ -5,6 +5,7 @@ import typer
 from popsim import __version__
 from popsim.cli.calibration import calibration
 from popsim.cli.design import design
+from popsim.cli.export import export
 from popsim.cli.gallery import gallery
 from popsim.cli.render import render
 from popsim.cli.schema import schema
@@ -34,5 +35,5 @@ def _options(
     pass
 
 
-for command in (design, verify, validate, calibration, render, gallery, schema):
+for command in (design, verify, validate, export, calibration, render, gallery, schema):
     app.command()(command)

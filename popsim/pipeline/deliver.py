@@ -4,15 +4,13 @@ import json
 from pathlib import Path
 
 from popsim.design import Source
-from popsim.pipeline.folder import fill_folder
+from popsim.pipeline.folder import REPORT, fill_folder
 from popsim.pipeline.prints import write_prints
 from popsim.pipeline.report import report_of
 from popsim.pipeline.run import DesignRun
 from popsim.pipeline.wishes import wishes_text
 
 UNVERIFIED = "NOT VERIFIED: this design failed the folding test"
-
-REPORT = "report.json"
 
 WISHES = "wishes.yaml"
 
@@ -52,9 +50,11 @@ def _fill(run: DesignRun, folder: Path, command: str, footer: str) -> list[Path]
         )
         made += prints
     (folder / WISHES).write_text(_wishes(run, command))
-    report = json.dumps(report_of(run, planned, command), indent=1, allow_nan=False)
+    files = [*made, folder / WISHES, folder / REPORT]
+    names = [file.relative_to(folder).as_posix() for file in files]
+    report = json.dumps(report_of(run, planned, names, command), indent=1, allow_nan=False)
     (folder / REPORT).write_text(report + "\n")
-    return [*made, folder / WISHES, folder / REPORT]
+    return files
 
 
 def _wishes(run: DesignRun, command: str) -> str:

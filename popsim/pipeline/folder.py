@@ -1,12 +1,16 @@
 """Filling a folder: with everything, or with nothing."""
 
+import json
 import os
 import shutil
 import tempfile
 from collections.abc import Callable, Iterable
-from pathlib import Path
+from pathlib import Path, PurePosixPath
 
 from popsim.errors import OutputError
+
+REPORT, REPORT_FORMAT = "report.json", "popsim-report"
+"""Name of the report of a run, and what it says that it is."""
 
 
 def check_folder(folder: Path, force: bool) -> None:
@@ -25,6 +29,8 @@ def check_folder(folder: Path, force: bool) -> None:
 def fill_folder(folder: Path, fill: Callable[[Path], Iterable[Path]], *, force: bool) -> tuple[Path, ...]:
     """Let `fill` write files into a folder of its own, then move all that it returns into `folder`.
 
+    What an earlier run says in its report that it made there, and this one did not make again, is removed.
+
     Returns
     -------
     The files where they stand now.
@@ -38,7 +44,10 @@ def fill_folder(folder: Path, fill: Callable[[Path], Iterable[Path]], *, force: 
     try:
         folder.mkdir(parents=True, exist_ok=True)
         with tempfile.TemporaryDirectory(prefix=".popsim-", dir=folder) as name:
-            return tuple(_moved(file, Path(name), folder) for file in list(fill(Path(name))))
+            earlier, made = _listed(folder), list(fill(Path(name)))
+            files = tuple(_moved(file, Path(name), folder) for file in made)
+        _remove(earlier - set(files), folder)
+        return files
     except OSError as error:
         if isinstance(error, OutputError):
             raise
@@ -52,3 +61,22 @@ def _moved(file: Path, start: Path, folder: Path) -> Path:
     target.parent.mkdir(exist_ok=True)
     shutil.move(file, target)
     return target
+
+
+def _listed(folder: Path) -> set[Path]:
+    """The files that the report in a folder lists, as far as they are there; nothing outside the folder."""
+    try:
+        report = json.loads((folder / REPORT).read_bytes())
+        names = report["files"] if report["format"] == REPORT_FORMAT else []
+        inside = [folder / name for name in names if not {"..", ""} & set(PurePosixPath(name).parts)]
+    except (OSError, ValueError, KeyError, TypeError):
+        return set()
+    return {path for path in inside if path.is_file() and path.resolve().is_relative_to(folder.resolve())}
+
+
+def _remove(files: Iterable[Path], folder: Path) -> None:
+    """Remove files, and folders that are empty then."""
+    for file in files:
+        file.unlink()
+        if file.parent != folder and not any(file.parent.iterdir()):
+            file.parent.rmdir()

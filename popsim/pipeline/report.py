@@ -3,18 +3,23 @@
 from typing import Any
 
 from popsim import __version__
+from popsim.pipeline.folder import REPORT_FORMAT
 from popsim.pipeline.planned import Planned
 from popsim.pipeline.run import DesignRun
 
 
-def report_of(run: DesignRun, planned: Planned | None, command: str) -> dict[str, Any]:
-    """The report as plain data; `planned` is None where nothing was exported."""
+def report_of(run: DesignRun, planned: Planned | None, files: list[str], command: str) -> dict[str, Any]:
+    """The report as plain data.
+
+    `planned` is None where nothing was exported; `files` are what was made, relative to the report's folder.
+    """
     prepared, fit = run.prepared, run.fit
     return {
-        "format": "popsim-report",
+        "format": REPORT_FORMAT,
         "version": 1,
         "popsim": __version__,
         "command": command,
+        "files": files,
         "seed": run.settings.seed,
         "source": {"file": prepared.model.path.name, "sha256": prepared.model.sha256},
         "passed": run.verdict.passed,

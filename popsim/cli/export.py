@@ -1,0 +1,64 @@
+"""`popsim export`."""
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+
+def export(
+    path: Annotated[Path, typer.Argument(metavar="DESIGN", help="A design.json, of popsim or anybody else.")],
+    output: Annotated[
+        Path | None,
+        typer.Option("--output", "-o", metavar="FILE", help="By default DESIGN's name and the format."),
+    ] = None,
+    format: Annotated[str, typer.Option(help="pdf, svg, dxf, fold: sheets. glb, obj, stl: the pop-up.")] = "pdf",
+    angle: Annotated[
+        float | None, typer.Option(help="Fold angle of the pop-up, degrees; GLB moves if none is given.")
+    ] = None,
+    paper: Annotated[
+        str, typer.Option(help='Sheet (A4, Letter, 300x400mm), weight (200gsm) or both ("Letter 160gsm").')
+    ] = "A4",
+    style: Annotated[str, typer.Option(help="Line style of the sheets.")] = "origami",
+    two_sided: Annotated[bool, typer.Option("--two-sided", help="Mirrored sheets for the back.")] = False,
+    grain: Annotated[bool, typer.Option("--grain", help="Keep the direction of the paper's grain.")] = False,
+    registration: Annotated[
+        str, typer.Option(help="Marks for a cutting machine: none, silhouette or cricut.")
+    ] = "none",
+    force: Annotated[bool, typer.Option("--force", help="Overwrite existing files.")] = False,
+) -> None:
+    """Write a design in one more format: its sheets, or the pop-up in space at any fold angle.
+
+    Nothing is verified; popsim verify does that.
+    """
+    from popsim import __version__
+    from popsim.design import load_design
+    from popsim.errors import InputError
+    from popsim.export import FORMATS
+    from popsim.export.solid import SOLIDS, export_solid
+    from popsim.layout import LayoutSettings
+    from popsim.pipeline.planned import export_sheets
+    from popsim.stock import split_stock
+
+    if format not in FORMATS and format not in SOLIDS:
+        raise InputError(f"format {format!r} is not known; give {', '.join([*FORMATS, *SOLIDS])}")
+    design = load_design(path)
+    target = output or path.with_suffix(f".{format}")
+    if format in SOLIDS:
+        made = export_solid(design, target, format, textures=path.parent, angle=angle, force=force)
+    else:
+        stock, sheet = split_stock(paper)
+        settings = LayoutSettings(grain=grain, registration=registration, stock=stock)
+        made = export_sheets(
+            design,
+            target,
+            format,
+            textures=path.parent,
+            paper=sheet or "A4",
+            settings=settings,
+            style=style,
+            two_sided=two_sided,
+            footer=f"popsim {__version__} · popsim export {path.name} --format {format} --paper '{paper}'",
+            force=force,
+        )
+    typer.echo("\n".join(str(file) for file in made))

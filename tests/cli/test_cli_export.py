@@ -1,0 +1,47 @@
+"""A design in one more format, from the command line."""
+
+from pathlib import Path
+
+import pytest
+import trimesh
+
+from popsim.design import Card, dump_design
+from popsim.mechanisms import assemble, card_pair
+from popsim.mechanisms.box_fold import BoxFold
+
+
+@pytest.fixture
+def design(tmp_path: Path) -> Path:
+    card = Card(x=(-60, 60), depth=90)
+    path = tmp_path / "design.json"
+    path.write_text(dump_design(assemble(card, [BoxFold.plain("M1", card_pair(card), 20, 30, (-30, 30))])))
+    return path
+
+
+def test_sheets_and_solids_of_a_design(popsim, design: Path, tmp_path: Path) -> None:
+    for words, files in (
+        (("--format", "svg", "--paper", "Letter 300gsm"), ["design-1.svg"]),
+        (("--format", "stl", "--angle", 90, "-o", "half.stl"), ["half.stl"]),
+        (
+            (
+                "--format",
+                "glb",
+            ),
+            ["design.glb"],
+        ),
+    ):
+        done = popsim("export", design, *words)
+        assert done.returncode == 0, done.stderr
+        assert all((tmp_path / name).exists() for name in files)
+        assert files[0] in done.stdout
+    assert "score each crease" in (tmp_path / "design-1.svg").read_text()
+    bounds = trimesh.load(tmp_path / "half.stl").bounds
+    assert bounds[1, 2] == pytest.approx(90 * 0.5**0.5, abs=0.01)
+    assert popsim("export", design, "--format", "glb").returncode == 2  # it exists
+    assert popsim("export", design, "--format", "glb", "--force").returncode == 0
+
+
+def test_unknown_formats_are_refused_with_the_known(popsim, design: Path) -> None:
+    done = popsim("export", design, "--format", "docx")
+    assert done.returncode == 2
+    assert "pdf" in done.stderr and "glb" in done.stderr
