@@ -49,3 +49,22 @@ def box_of(surface, margin=30.0):
     """A territory that holds all of a surface."""
     low, high = surface.bounds
     return np.array([low - margin, high + margin])
+
+
+def slab(profile, low, high):
+    """A shapely polygon in the plane of x and z, holes included, made solid from y = low to y = high."""
+    from mapbox_earcut import triangulate_float64
+
+    rings = [np.array(ring.coords)[:-1] for ring in (profile.exterior, *profile.interiors)]
+    points = np.concatenate(rings)
+    ends = np.cumsum([len(ring) for ring in rings]).astype(np.uint32)
+    faces = np.asarray(triangulate_float64(points, ends), dtype=np.int64).reshape(-1, 3)
+    sides = [np.insert(points, 1, y, axis=1) for y in (low, high)]
+    triangles = [side[faces] for side in sides]
+    for ring in rings:
+        near, far = (np.insert(ring, 1, y, axis=1) for y in (low, high))
+        next_near, next_far = np.roll(near, -1, axis=0), np.roll(far, -1, axis=0)
+        triangles += [np.stack([near, next_near, next_far], axis=1), np.stack([near, next_far, far], axis=1)]
+    triangles = np.concatenate(triangles)
+    count = len(triangles)
+    return Surface(triangles, np.zeros((count, 3, 2)), np.zeros(count, int), (Material(BLUE),))

@@ -6,8 +6,11 @@ import numpy as np
 import pytest
 from oracles.closed_form import closed_form_poses
 from oracles.crossing import crossings
-from patch_solids import BLUE, CYAN, GREEN, RED, YELLOW, box_of, coloured_box, joined
+from patch_solids import BLUE, CYAN, GREEN, RED, YELLOW, box_of, coloured_box, joined, slab
 from PIL import Image
+from shapely import hausdorff_distance, unary_union
+from shapely.affinity import rotate
+from shapely.geometry import Point, Polygon, box
 
 from popsim.design import Card, dump_design
 from popsim.errors import GeometryError
@@ -257,3 +260,21 @@ def test_models_without_colours_print_as_paper_with_creases():
     height, width = dark.shape
     assert not dark[:6].any() and not dark[:, :6].any()  # outlines are the edges of the paper
     assert dark[:, width // 2].any() and dark[height // 2].any()
+
+
+@pytest.mark.parametrize("turn", [0.0, 25.0, 45.0])
+def test_outlines_stay_within_half_a_millimetre_of_the_silhouette(turn):
+    """Where no hinge is near: round wheels, an arch, a round and a turned window."""
+    wheels = [Point(x, 9).buffer(9, 64) for x in (-30, 30)]
+    windows = [Point(-20, 28).buffer(7, 64), rotate(box(12, 21, 28, 35), turn)]
+    body = unary_union([box(-50, 8, 50, 40), *wheels]).difference(
+        unary_union([Point(0, 8).buffer(7, 64), *windows])
+    )
+    shapes = painted([box_fold()], slab(body, -30, 30), prints=False).shapes
+    side = shapes["M1.L"]
+    assert len(side.holes) == 2
+    found = Polygon(side.outline[:, [0, 2]], [hole[:, [0, 2]] for hole in side.holes])
+    free = box(-45, 3, 45, 37)
+    ours, theirs = (shape.boundary.intersection(free) for shape in (found, body))
+    assert hausdorff_distance(ours, theirs, densify=0.02) < 0.5
+    assert found.buffer(-1.0).buffer(1.0).symmetric_difference(found).area < 0.01 * found.area  # no slivers
