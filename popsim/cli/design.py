@@ -127,6 +127,8 @@ def design(
     print_verdict(run.verdict, model.name)
     kinds = ", ".join(f"{m.mechanism.id} {m.mechanism.type}" for m in run.fit.placements)
     typer.echo(f"{len(run.design.popup_patches)} patches: {kinds}")
+    for doubt in run.doubts:
+        typer.echo(doubt)
     typer.echo(f"{len(files)} files in {folder}")
     raise typer.Exit(0 if run.verdict.passed else 1)
 

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from popsim.geometry.arrays import FloatArray, IntArray, locked
+from popsim.geometry.cluster import linked
 from popsim.geometry.surface import Surface
 from popsim.mesh.sampling import Samples
 
@@ -120,7 +121,7 @@ class Body:
 
 def body_of(surface: Surface, samples: Samples) -> Body:
     """Tell what counts of a surface, given points on it in the same frame."""
-    part = _parts(samples)
+    part = linked(samples.points, LINK * samples.spacing)
     far = _far_parts(samples, part)
     weight = samples.area / samples.area.sum()
     corners = surface.triangles
@@ -134,19 +135,6 @@ def body_of(surface: Surface, samples: Samples) -> Body:
 def box_of(points: FloatArray) -> FloatArray:
     """Return the lowest and the highest corner of points (n, 3), shape (2, 3)."""
     return np.array([points.min(axis=0), points.max(axis=0)])
-
-
-def _parts(samples: Samples) -> IntArray:
-    """Number the groups of samples that hang together."""
-    from scipy.sparse import coo_array  # slow import
-    from scipy.sparse.csgraph import connected_components
-    from scipy.spatial import cKDTree
-
-    count = len(samples.points)
-    pairs = cKDTree(samples.points).query_pairs(LINK * samples.spacing, output_type="ndarray")
-    links = coo_array((np.ones(len(pairs)), (pairs[:, 0], pairs[:, 1])), shape=(count, count))
-    numbers: IntArray = connected_components(links, directed=False)[1]
-    return numbers
 
 
 def _far_parts(samples: Samples, part: IntArray) -> list[int]:

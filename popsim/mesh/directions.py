@@ -11,6 +11,7 @@ import numpy as np
 
 from popsim.geometry.arrays import FloatArray
 from popsim.geometry.surface import Surface
+from popsim.geometry.weld import near_corner_numbers
 from popsim.mesh.sampling import Samples, face_normals
 
 BINS = 1800
@@ -183,13 +184,7 @@ def _mean_direction(normals: FloatArray, weights: FloatArray, start: FloatArray)
 def _shape_edges(surface: Surface) -> FloatArray:
     """Vectors (k, 3) of the edges at which the surface turns or ends."""
     corners = surface.triangles
-    low, high = surface.bounds
-    cells = np.round((corners.reshape(-1, 3) - low) / max(float((high - low).max()), 1e-300) * 2**20).astype(
-        np.int64
-    )
-    point = np.unique((cells[:, 0] << 42) | (cells[:, 1] << 21) | cells[:, 2], return_inverse=True)[1].reshape(
-        -1, 3
-    )
+    point = near_corner_numbers(corners)
     ends = np.stack([point, np.roll(point, -1, axis=1)], axis=-1).reshape(-1, 2)
     ends.sort(axis=1)
     vectors = (np.roll(corners, -1, axis=1) - corners).reshape(-1, 3)

@@ -59,6 +59,7 @@ def report_of(run: DesignRun, planned: Planned | None, files: list[str], command
         },
         "layout": None if planned is None else _layout(planned),
         "verification": run.verdict.to_dict(),
+        "doubts": list(run.doubts),
         "notes": [*run.notes, *(planned.notes if planned else ())],
     }
 

@@ -7,8 +7,10 @@ from pathlib import Path
 from popsim.design import Design
 from popsim.fitting import Fit
 from popsim.patches import Painted
+from popsim.patches.popup_surface import popup_surface
 from popsim.pipeline.abstract import abstract
 from popsim.pipeline.prepare import Prepared, prepare
+from popsim.pipeline.review import doubts, leftovers, overhang
 from popsim.pipeline.settings import RunSettings
 from popsim.pipeline.sizing import sized
 from popsim.verification import Verdict, verify
@@ -33,6 +35,8 @@ class DesignRun:
         What verification says of it.
     notes:
         Everything that was assumed, added or left out, stage by stage, one sentence each.
+    doubts:
+        Why it may not be what the user had in mind, one sentence each; empty where nothing speaks for it.
     """
 
     settings: RunSettings
@@ -42,6 +46,7 @@ class DesignRun:
     design: Design
     verdict: Verdict
     notes: tuple[str, ...]
+    doubts: tuple[str, ...]
 
 
 def run_design(
@@ -77,8 +82,12 @@ def run_design(
         notes.append(f"contours cut back to their faces because they got in the way: {', '.join(sorted(held))}")
     if settings.wishes_for not in (None, prepared.model.sha256):
         notes.append("the wishes were written for another model, or for another version of this one")
+    doubtful = doubts(prepared.surface, prepared.alignment, fit.likeness)
+    paper = popup_surface(_plain(design), {}, pages=False)
+    notes += overhang(prepared.scene, prepared.bounds, fit.mechanisms)
+    notes += leftovers(prepared.scene, paper, prepared.longest)
     notes += settings.fit.wishes.unmet(fit.mechanisms)
-    return DesignRun(settings, prepared, fit, painted, design, verdict, tuple(notes))
+    return DesignRun(settings, prepared, fit, painted, design, verdict, tuple(notes), doubtful)
 
 
 def _plain(design: Design) -> Design:
