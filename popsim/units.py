@@ -50,7 +50,7 @@ def parse_colour(text: str, name: str) -> str:
     from PIL import ImageColor
 
     try:
-        parts = ImageColor.getrgb(text.strip())
+        parts: tuple[int, ...] = ImageColor.getrgb(text.strip())
     except ValueError:
         parts = ()
     if len(parts) != 3:

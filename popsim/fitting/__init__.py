@@ -7,7 +7,8 @@ an earlier one offers, so that constraints 1 to 3 hold by construction, and it i
 design still meets every condition of :mod:`popsim.validity`.
 """
 
-from popsim.fitting.fit import Fit, FitSettings, Subject, fit
+from popsim.fitting.fit import Fit, Subject, fit
+from popsim.fitting.settings import FitSettings
 from popsim.fitting.volume import Volume, measure_volume
 from popsim.fitting.wishes import Pin, Region, Wishes
 

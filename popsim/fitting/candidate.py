@@ -9,8 +9,8 @@ from popsim.errors import GeometryError
 from popsim.fitting.knobs import settled, thinnest
 from popsim.fitting.mapping import mappings
 from popsim.fitting.wishes import Wishes
-from popsim.mechanisms import BasePatchPair, Mechanism, Primitive, assemble, card_pair
-from popsim.validity import examine
+from popsim.mechanisms import BasePatchPair, Mechanism, Primitive, card_pair, plates_of
+from popsim.validity import faces_clear
 
 
 @dataclass(frozen=True)
@@ -39,7 +39,7 @@ class Candidate:
     @cached_property
     def patches(self) -> int:
         """Number of patches."""
-        return sum(len(mechanism.plates()) for mechanism in self.mechanisms)
+        return sum(len(plates_of(mechanism)) for mechanism in self.mechanisms)
 
     @cached_property
     def pairs(self) -> list[tuple[BasePatchPair, int | None]]:
@@ -51,7 +51,7 @@ class Candidate:
 
     def holds(self) -> bool:
         """Whether all conditions of the theory hold."""
-        return examine(assemble(self.card, self.mechanisms, checked=False)).holds
+        return faces_clear(self.mechanisms)
 
     def with_node(self, node: Node) -> "Candidate | None":
         """The candidate with one more node, or None where no mechanism can represent it."""

@@ -1,81 +1,28 @@
-"""The abstraction of a model: several greedy runs, the best of them refitted."""
+"""The abstraction of a model."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from popsim.design import Card
-from popsim.errors import GeometryError, InputError, MeshError
+from popsim.errors import GeometryError, MeshError
 from popsim.fitting.appearance import Appearance, Likeness
 from popsim.fitting.candidate import Candidate, build
-from popsim.fitting.greedy import Grower, Taste
 from popsim.fitting.kept import first_candidate
 from popsim.fitting.mapping import error_cover, mappings
-from popsim.fitting.refit import Climber
 from popsim.fitting.scale import scaled_node
+from popsim.fitting.search import search
+from popsim.fitting.settings import FitSettings
 from popsim.fitting.snap import Planes
 from popsim.fitting.volume import Volume
-from popsim.fitting.wishes import Wishes
 from popsim.geometry.arrays import FloatArray
 from popsim.mechanisms import Mechanism, Primitive
 
 if TYPE_CHECKING:
     from popsim.rendering.ray_scene import RayScene
 
-DEAREST, CHEAPEST = 0.03, 0.0008
-"""Price of a patch as a share of the solid cells, at detail 0 and 1."""
-
-UNLIKE, LIKE = 0.015, 0.00015
-"""Likeness that a patch must bring, at detail 0 and 1."""
-
-TASTES = ((1.0, 0.8, 0.6, 0), (0.4, 0.8, 0.6, 0), (0.5, 1.2, 0.9, 0), (0.4, 0.8, 0.3, 5))
-"""Greedy runs: factor on the price of patches, price of empty cells, trust in what follows, and by how many cells
-gaps are closed first: what a lattice or open arches enclose then counts as solid. The first runs twice: once with
-any prism to start with, and, as the others do, with one that carries others."""
-
-SECOND = (0.1, 0.8, 0.3)
-"""The same for prisms that are added after refitting, where only the likeness decides."""
-
 THINNEST = 0.03
 """Least extent of a prism or a step, as a share of the model's longest side: 4.5 mm on 150, for scissors."""
-
-BUDGET = 70
-"""Evaluations that refitting may use."""
-
-
-@dataclass(frozen=True)
-class FitSettings:
-    """What the user may say about fitting.
-
-    Attributes
-    ----------
-    detail:
-        0 (few patches) to 1 (many).
-    most_patches:
-        No prism is placed that would lead to more, ground and backdrop not counted.
-    wishes:
-        What is kept, and what may not be.
-    """
-
-    detail: float = 0.5
-    most_patches: int = 120
-    wishes: Wishes = field(default_factory=Wishes)
-
-    def __post_init__(self) -> None:
-        if not 0 <= self.detail <= 1:
-            raise InputError(f"detail must lie between 0 (few patches) and 1 (many), not {self.detail:g}")
-        if self.most_patches < 2:
-            raise InputError(f"no pop-up has fewer than 2 patches; most patches is {self.most_patches}")
-
-    def taste(self, factor: float, empty: float, trust: float, *, founded: bool = False) -> Taste:
-        """What a greedy run values: `factor` on the price of patches, price of empty cells, trust, and so on."""
-        price = float(DEAREST * (CHEAPEST / DEAREST) ** self.detail)
-        return Taste(factor * price, empty, trust, self.most_patches, founded)
-
-    @property
-    def patch_likeness(self) -> float:
-        """Likeness that a patch must bring."""
-        return float(UNLIKE * (LIKE / UNLIKE) ** self.detail)
 
 
 @dataclass(frozen=True)
@@ -193,25 +140,16 @@ def fit(subject: Subject, settings: FitSettings | None = None) -> Fit:
             return -1.0
         return appearance.likeness(candidate.mechanisms).overall - settings.patch_likeness * candidate.patches
 
-    volume = subject.volume
-    size = subject.bounds[1] - subject.bounds[0]
-    far = 20 * float(size.max())
-    card, least = Card(x=(-far, far), depth=far), THINNEST * float(size.max())
-    empty = first_candidate(card, least, settings.wishes, settings.most_patches)
-    if empty.nodes and not settings.wishes.add:
-        return Fit(empty, appearance.likeness(empty.mechanisms), 0.0)
-    found: list[tuple[float, int, Candidate, int]] = []
-    for founded, (*taste, radius) in [(False, TASTES[0]), *((True, taste) for taste in TASTES)]:
-        filled = volume.closed(radius) if radius else volume
-        state = Grower(filled, subject.planes, settings.taste(*taste, founded=founded)).grow(empty)
-        if state.nodes:
-            found.append((value(state), -len(found), state, radius))
-    if not found:
+    size = float((subject.bounds[1] - subject.bounds[0]).max())
+    card = Card(x=(-20 * size, 20 * size), depth=20 * size)
+    start = first_candidate(card, THINNEST * size, settings.wishes, settings.most_patches)
+    if start.nodes and not settings.wishes.add:
+        return Fit(start, appearance.likeness(start.mechanisms), 0.0)
+    found = search(start, subject.volume, subject.planes, value, settings)
+    if found is None:
         raise MeshError("no part of the model is solid enough for a mechanism; try --detail 1 or another --up")
-    _, _, start, closed = max(found, key=lambda entry: entry[:2])
-    climber = Climber(value, Grower(volume, subject.planes, settings.taste(*SECOND)))
-    best = climber.climb(start, BUDGET)
-    return Fit(best, appearance.likeness(best.mechanisms), 2 * closed * volume.cell)
+    best, closed = found
+    return Fit(best, appearance.likeness(best.mechanisms), 2 * closed * subject.volume.cell)
 
 
 def _placement(candidate: Candidate, index: int) -> Placement:

@@ -18,7 +18,7 @@ from popsim.fitting.snap import Planes, snapped
 from popsim.fitting.volume import Volume
 from popsim.fitting.wedges import propose_wedges
 from popsim.geometry.arrays import BoolArray
-from popsim.mechanisms import BasePatchPair, PairKind, Primitive
+from popsim.mechanisms import BasePatchPair, PairKind, Primitive, plates_of
 
 SNAP = 1.2
 """Cells that a border may move to lie on a plane of the model."""
@@ -44,6 +44,8 @@ class Taste:
         No prism is placed that would lead to more.
     founded:
         Whether the first prism must carry others: roofs and wedges gain much at once, and end it there.
+    plain:
+        Whether there are only boxes of one height: tiers on tiers instead of profiles and roofs.
     """
 
     price: float
@@ -51,6 +53,7 @@ class Taste:
     trust: float
     most_patches: int
     founded: bool = False
+    plain: bool = False
 
 
 class Grower:
@@ -102,7 +105,7 @@ class Grower:
         price = self.taste.price * field.solid_cells
         options = []
         for pair, parent in state.pairs:
-            for proposal in self._proposals(field, state, pair, Prices(price, self.taste.trust)):
+            for proposal in self._proposals(field, state, pair, Prices(price, self.taste.trust, self.taste.plain)):
                 primitive = simplified(self._snapped(proposal), state.least)
                 mapped = mappings(primitive, pair, "M", state.wishes.allows)
                 if mapped:
@@ -122,8 +125,9 @@ class Grower:
             if room is None:
                 found = [propose_corner(spot)]
             else:
-                found = [propose_row(spot, prices, room), propose_roof(spot)]
-                found += propose_wedges(spot)
+                found = [propose_row(spot, prices, room)]
+                if not self.taste.plain:
+                    found += [propose_roof(spot), *propose_wedges(spot)]
             known = (seen, [proposal for proposal in found if proposal is not None])
             self.known[pair] = known
         return known[1]
@@ -152,4 +156,4 @@ def _room(spot: Spot, state: Candidate) -> BoolArray:
 def _profit(proposal: Proposal, mapped: Mapped, price: float) -> float:
     """Gain as far as principal faces show it (Eq. 2), less the price of the patches; in cells."""
     shown = min(1.0, (1 - mapped.error_cover) * (1 + BOTTOM))
-    return proposal.gain * shown - price * len(mapped.mechanism.plates())
+    return proposal.gain * shown - price * len(plates_of(mapped.mechanism))

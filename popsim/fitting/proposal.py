@@ -15,10 +15,13 @@ class Prices:
         Price of a patch.
     trust:
         How much of what could later stand on a top counts when its height is chosen, 0..1.
+    plain:
+        Whether rows have one height.
     """
 
     patch: float
     trust: float = 0.0
+    plain: bool = False
 
 
 @dataclass(frozen=True, eq=False)

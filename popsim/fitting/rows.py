@@ -44,7 +44,7 @@ def propose_row(spot: Spot, prices: Prices, room: BoolArray | None = None) -> Pr
     value = sums + prices.trust * _later(sums, prices)
     if room is not None:
         value = np.where(room[:, : value.shape[1], None], value, OUTSIDE)
-    phases = _run(value, prices.patch * STEP_PATCHES)
+    phases = _run(value, -OUTSIDE if prices.plain else prices.patch * STEP_PATCHES)
     final = phases.best.max(axis=1)
     x, w, h = (int(k) for k in np.unravel_index(int(final.argmax()), final.shape))
     if not final[x, w, h] > 0:

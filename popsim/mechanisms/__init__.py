@@ -8,6 +8,7 @@ outside a mechanism's own file asks which mechanism it is: a new one is a new fi
 
 from popsim.mechanisms.assemble import Shape, assemble
 from popsim.mechanisms.base import Joint, Mechanism, Plate, Recognition
+from popsim.mechanisms.company import plates_of, plates_together
 from popsim.mechanisms.condition import Condition
 from popsim.mechanisms.fault import Fault
 from popsim.mechanisms.members import Members
@@ -36,4 +37,6 @@ __all__ = [
     "assemble",
     "card_pair",
     "mechanism_type",
+    "plates_of",
+    "plates_together",
 ]

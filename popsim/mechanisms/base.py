@@ -12,6 +12,7 @@ from numpy.random import Generator
 from popsim.errors import GeometryError
 from popsim.geometry.arrays import FloatArray, locked
 from popsim.geometry.frame import OPEN
+from popsim.geometry.plane import area_vector
 from popsim.geometry.rigid import Frame, motion_between, transform
 from popsim.mechanisms.condition import Condition
 from popsim.mechanisms.fault import Fault
@@ -25,6 +26,12 @@ FIRST_BASE = "base:0"
 
 SECOND_BASE = "base:1"
 """Stands for the second patch of the base patch pair in a joint."""
+
+BESIDE = 0.35
+"""Beyond its face a plate shows the model, unless it says otherwise, to this share of the depth `behind`,"""
+
+BESIDE_OF_FACE = 0.3
+"""and to at most this share of the side of a square as large as the face."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -40,12 +47,15 @@ class Plate:
     outward:
         Unit normal to the side that is seen, shape (3,); patches inside have either.
     principal:
-        Whether it shows a principal face of the primitive (Fig. 3); only those count in Eq. 2.
+        Whether it shows a principal face of the primitive (Fig. 3); only those count in Eq. 2. A plate inside
+        shows the model only beyond its face, where it is seen from both sides: a fin.
     room:
         How far its outline may follow the contours of the model without getting into the way of its own
         mechanism, a polygon in the plane of the face, shape (k, 3); by default the face itself.
     behind:
         How deep behind the face, mm, the model still shows on it.
+    beside:
+        The same in its room beyond the face.
     """
 
     role: str
@@ -54,12 +64,16 @@ class Plate:
     principal: bool = True
     room: FloatArray | None = None
     behind: float = np.inf
+    beside: float = np.nan
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "outline", locked(self.outline, (None, 3), f"outline of {self.role}"))
         room = self.outline if self.room is None else self.room
         object.__setattr__(self, "room", locked(room, (None, 3), f"room of {self.role}"))
         object.__setattr__(self, "outward", locked(self.outward, (3,), f"outward of {self.role}"))
+        if np.isnan(self.beside):
+            size = float(np.sqrt(np.linalg.norm(area_vector(self.outline)) / 2))
+            object.__setattr__(self, "beside", min(BESIDE * self.behind, BESIDE_OF_FACE * size))
 
 
 @dataclass(frozen=True, eq=False)

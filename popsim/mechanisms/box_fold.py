@@ -22,7 +22,15 @@ from popsim.mechanisms.base import (
     rectangle,
     require_positive,
 )
-from popsim.mechanisms.box_fold_contours import end_depth, end_room, side_room, top_depth, top_room
+from popsim.mechanisms.box_fold_contours import (
+    FIN_DEPTH,
+    backbone_room,
+    end_depth,
+    end_room,
+    side_room,
+    top_depth,
+    top_room,
+)
 from popsim.mechanisms.fault import Fault
 from popsim.mechanisms.members import Members
 from popsim.mechanisms.pair import BasePatchPair, PairKind
@@ -110,7 +118,7 @@ class BoxFold(Mechanism):
         plates = [
             Plate("L", self.profile(w), across, room=side_room(self, w), behind=w),
             Plate("R", self.profile(-w), -across, room=side_room(self, -w), behind=w),
-            Plate("C", self.profile(0.0), across, principal=False),
+            Plate("C", self.profile(0.0), across, False, backbone_room(self), beside=FIN_DEPTH * w),
         ]
         for top, roles in zip(self.tops, self.top_roles(), strict=True):
             ridge, depth = np.array([0.0, 0.0, v + top.height]), top_depth(self, top)

@@ -3,7 +3,8 @@
 In skew coordinates sides, backbone and tops do not move, and each end pair sweeps outward between the two sides,
 lifted as it goes. So sides may rise above the tops, and reach as far along x as the pairs sweep; tops may reach
 beyond the sides, but not along x, where a pair passes; pairs may rise above the top behind them, from which they
-move away. What of a pair is beyond a side turns about their hinge the other way: backward, and down.
+move away. What of a pair is beyond a side turns about their hinge the other way: backward, and down. The backbone
+may rise through a slit between the two halves of a top as a fin, below the path of the pairs that sweep over it.
 """
 
 from typing import TYPE_CHECKING
@@ -30,6 +31,15 @@ EARS = 0.35
 LONGEST_EARS = 15.0
 """mm; as for eaves."""
 
+FIN = 8.0
+"""Half widths by which a fin may rise above its top: masts and funnels."""
+
+FIN_DEPTH = 0.25
+"""Half widths to either side of the backbone within which the model shows on a fin."""
+
+SLIT_MARGIN = 5.0
+"""mm of a top, or a quarter of a shorter one, that stay whole at each end of a slit."""
+
 TOP_DEPTH = 0.75
 """Share of the drop beside a top down to which the model shows on it."""
 
@@ -47,6 +57,29 @@ def side_room(box: "BoxFold", y: float) -> FloatArray:
     z0 = box.pair.v
     z1 = z0 + box.height + RISE * box.half_width
     return np.array([[x0, y, z0], [x1, y, z0], [x1, y, z1], [x0, y, z1]])
+
+
+def backbone_room(box: "BoxFold") -> FloatArray:
+    """Room of the backbone: its face, and fins over the tops, shape (n, 3)."""
+    from shapely import box as block
+    from shapely import union_all
+    from shapely.geometry import Polygon
+
+    ceiling = box.height + FIN * box.half_width
+    face = Polygon(box.profile(0.0)[:, [0, 2]] - [0.0, box.pair.v])
+    fins = []
+    for top in box.tops:
+        margin = min(SLIT_MARGIN, (top.x1 - top.x0) / 4)
+        fins.append(block(top.x0 + margin, top.height, top.x1 - margin, ceiling))
+    swept = []
+    for end in box.end_pairs:
+        far = end.x + end.facing * box.half_width
+        path = [(end.x, end.low), (far, end.low + box.half_width), (far, ceiling), (end.x, ceiling)]
+        swept.append(Polygon(path))
+    room = union_all([face, union_all(fins).difference(union_all(swept))])
+    parts = [part for part in getattr(room, "geoms", [room]) if part.intersects(face)]
+    ring = np.array(max(parts, key=lambda part: part.area).exterior.coords)[:-1]
+    return np.column_stack([ring[:, 0], np.zeros(len(ring)), ring[:, 1] + box.pair.v])
 
 
 def top_room(box: "BoxFold", top: "Top", sign: int) -> FloatArray:

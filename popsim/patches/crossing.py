@@ -65,14 +65,21 @@ def _on_one_line(first: FloatArray, second: FloatArray) -> bool:
 
 
 def _uncross(first: Run, second: Run) -> None:
+    """Cut the smaller overhang, stretch by stretch of the line where both reach beyond it."""
+    from shapely import get_parts
+
     if first.inward is None or second.inward is None:
         return
     overhangs = [_overhang(run) for run in (first, second)]
-    shared = _along(first, overhangs[0]).intersection(_along(second, overhangs[1]))
-    if shared.length <= TOUCH:
-        return
-    run, overhang = min(zip((first, second), overhangs, strict=True), key=lambda pair: pair[1].area)
-    run.piece.shape = without(run.piece.shape, overhang)
+    shared = touched(first, overhangs[0]).intersection(touched(second, overhangs[1]))
+    for part in get_parts(shared):
+        if part.length <= TOUCH:
+            continue
+        low, high = part.bounds[0] - GROOVE, part.bounds[2] + GROOVE
+        # places are counted from the start of the first run's axis, and both runs have the same axis
+        bands = [common(over, _band(run, low, high)) for run, over in zip((first, second), overhangs, strict=True)]
+        run, band = min(zip((first, second), bands, strict=True), key=lambda pair: pair[1].area)
+        run.piece.shape = without(run.piece.shape, band)
 
 
 def _overhang(run: Run) -> "BaseGeometry":
@@ -88,7 +95,17 @@ def _beyond(run: Run, inward: FloatArray) -> "Polygon":
     return Polygon([start, end, end - REACH * inward, start - REACH * inward])
 
 
-def _along(run: Run, overhang: "BaseGeometry") -> "BaseGeometry":
+def _band(run: Run, low: float, high: float) -> "Polygon":
+    """Everything beyond a stretch of the axis."""
+    from shapely.geometry import Polygon
+
+    assert run.inward is not None  # asked by the caller
+    direction = (run.ends[1] - run.ends[0]) / run.length
+    start, end = run.ends[0] + low * direction, run.ends[0] + high * direction
+    return Polygon([start, end, end - REACH * run.inward, start - REACH * run.inward])
+
+
+def touched(run: Run, overhang: "BaseGeometry") -> "BaseGeometry":
     """Where along the axis an overhang touches it, as a geometry on the number line."""
     from shapely import get_parts, intersection
     from shapely.geometry import LineString, MultiLineString

@@ -3,19 +3,21 @@
 from collections.abc import Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 from popsim.errors import GeometryError
 from popsim.geometry.arrays import FloatArray, locked
-from popsim.mechanisms import Mechanism
+from popsim.mechanisms import Mechanism, plates_together
 from popsim.mechanisms.base import FIRST_BASE, SECOND_BASE
-from popsim.patches.clean import common, cuttable
+from popsim.patches.clean import common, cuttable, without
 from popsim.patches.corners import clear_corners
 from popsim.patches.crossing import Meeting, uncross
 from popsim.patches.hold import hold
 from popsim.patches.one_piece import finished
 from popsim.patches.piece import Piece, pieces_of
 from popsim.patches.settings import PatchSettings
+from popsim.patches.slits import cut_slits
 from popsim.patches.wanted import see
 from popsim.rendering.parallel import THREADS
 from popsim.rendering.ray_scene import RayScene
@@ -45,6 +47,11 @@ class Cut:
     notes: tuple[str, ...]
     coverage: Mapping[str, float]
 
+    @cached_property
+    def overhang(self) -> dict[str, float]:
+        """Paper beyond the face of each patch, mm^2, by patch id."""
+        return {name: float(without(self.outlines[name], piece.face).area) for name, piece in self.pieces.items()}
+
 
 def cut(
     mechanisms: Sequence[Mechanism],
@@ -54,9 +61,10 @@ def cut(
 ) -> Cut:
     """Cut the patches of mechanisms after the silhouettes of a model; see :func:`popsim.patches.paint.paint`."""
     pieces: dict[str, Piece] = {}
+    plates = plates_together(mechanisms)
     for mechanism in mechanisms:
         box = _territory(mechanism, territories)
-        pieces |= {piece.id: piece for piece in pieces_of(mechanism, box, settings)}
+        pieces |= {piece.id: piece for piece in pieces_of(mechanism, plates[mechanism.id], box, settings)}
     clear_corners(mechanisms, pieces)
 
     def find(piece: Piece) -> None:
@@ -71,6 +79,7 @@ def cut(
     for name, piece in pieces.items():
         outlines[name], own = finished(piece, settings)
         notes += own
+    cut_slits(mechanisms, pieces, outlines)
     return Cut(pieces, outlines, tuple(notes), coverage)
 
 

@@ -12,6 +12,7 @@ from popsim.geometry.arrays import FloatArray
 from popsim.geometry.surface import Surface
 from popsim.mechanisms import Mechanism, Shape
 from popsim.mechanisms.assemble import page_outline
+from popsim.patches.clean import without
 from popsim.patches.cut import Cut, cut
 from popsim.patches.piece import Piece
 from popsim.patches.settings import PatchSettings
@@ -20,12 +21,15 @@ from popsim.rendering.parallel import THREADS
 from popsim.rendering.ray_scene import RayScene
 
 if TYPE_CHECKING:
-    from shapely.geometry import Polygon
+    from shapely.geometry.base import BaseGeometry
 
 RENDERER = "rays"
 """Patches are always seen by rays: exact depths on every machine, with or without OpenGL."""
 
 FOLDER = "textures"
+
+SEEN = 1.0
+"""mm^2; less of a patch inside is not worth ink."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -96,7 +100,7 @@ def paint(
 def paint_cut(found: Cut, scene: RayScene, settings: PatchSettings, *, prints: bool = True) -> Painted:
     """Paint patches that are cut already; parameters as of :func:`paint`."""
     pieces, outlines = found.pieces, found.outlines
-    images = _prints(scene, pieces, outlines, settings) if prints else {}
+    images = _prints(scene, found, settings) if prints else {}
     shapes = {}
     for name, piece in pieces.items():
         outline, image = outlines[name], images.get(name)
@@ -124,14 +128,17 @@ def with_base(painted: Painted, prints: Mapping[str, Print], card: Card) -> Pain
     return replace(painted, shapes={**shapes, **painted.shapes}, images={**images, **painted.images})
 
 
-def _prints(
-    scene: RayScene, pieces: Mapping[str, Piece], outlines: Mapping[str, "Polygon"], settings: PatchSettings
-) -> dict[str, Print]:
-    """Prints of the patches that show something, by patch id."""
-    shown = [piece for piece in pieces.values() if piece.plate.principal]
+def _prints(scene: RayScene, found: Cut, settings: PatchSettings) -> dict[str, Print]:
+    """Prints of the patches that show something, fins of patches inside too, by patch id."""
+    shown = [piece for piece in found.pieces.values() if piece.plate.principal or found.overhang[piece.id] > SEEN]
+
+    def visible(piece: Piece) -> "BaseGeometry":
+        outline = found.outlines[piece.id]
+        return outline if piece.plate.principal else without(outline, piece.face)
+
     with ThreadPoolExecutor(THREADS) as pool:  # rays, filters and compression free the interpreter
-        found = pool.map(lambda piece: print_of(scene, piece, outlines[piece.id], settings), shown)
-        return {piece.id: image for piece, image in zip(shown, found, strict=True) if image is not None}
+        made = pool.map(lambda piece: print_of(scene, piece, visible(piece), settings), shown)
+        return {piece.id: image for piece, image in zip(shown, made, strict=True) if image is not None}
 
 
 def _path(name: str) -> str:

@@ -1,7 +1,10 @@
 """A plate while its outline is being cut: everything in the flat coordinates of its plane."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
+
+import numpy as np
 
 from popsim.geometry.arrays import FloatArray
 from popsim.geometry.plane import Plane
@@ -55,19 +58,31 @@ class Piece:
     held: list["BaseGeometry"] = field(default_factory=list)
 
 
-def pieces_of(mechanism: Mechanism, box: FloatArray, settings: PatchSettings) -> list[Piece]:
-    """The plates of a mechanism, with nothing cut yet."""
+def pieces_of(
+    mechanism: Mechanism, plates: Sequence[Plate], box: FloatArray, settings: PatchSettings
+) -> list[Piece]:
+    """Some plates of a mechanism, with nothing cut yet; rooms end with the box of space that belongs to it."""
     from shapely.geometry import Polygon
 
     pieces = []
-    for plate in mechanism.plates():
+    for plate in plates:
         name = mechanism.patch_id(plate.role)
         plane = Plane.facing(plate.outward, plate.outline[0])
         face = Polygon(plane.flat(plate.outline))
         allowed = plate.outline if plate.room is None or name in settings.within_face else plate.room
-        room = Polygon(plane.flat(allowed)).union(face)
+        room = _within(Polygon(plane.flat(allowed)), plane, box).union(face)
         joints = [joint for joint in mechanism.joints() if plate.role in joint.roles]
         seams = [plane.flat(joint.axis) for joint in joints if joint.crease is not None]
         stands = any(base in joint.roles for joint in joints for base in (FIRST_BASE, SECOND_BASE))
         pieces.append(Piece(name, plate, plane, face, room, box, Polygon(), Polygon(), seams, stands))
     return pieces
+
+
+def _within(room: "Polygon", plane: Plane, box: FloatArray) -> "Polygon":
+    """The part of a room that lies over a box of space; the whole where that is not one piece."""
+    import shapely
+
+    corners = np.stack(np.meshgrid(*box.T, indexing="ij"), axis=-1).reshape(-1, 3)
+    left, lower, right, upper = shapely.MultiPoint(plane.flat(corners)).bounds
+    part = room.intersection(shapely.box(left, lower, right, upper))
+    return part if isinstance(part, shapely.Polygon) and not part.is_empty else room

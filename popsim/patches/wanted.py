@@ -6,7 +6,7 @@ import numpy as np
 
 from popsim.geometry.arrays import BoolArray, FloatArray
 from popsim.geometry.plane import Plane
-from popsim.patches.clean import common
+from popsim.patches.clean import common, polygons, union, without
 from popsim.patches.legs import legs
 from popsim.patches.piece import Piece
 from popsim.patches.settings import PatchSettings
@@ -15,13 +15,11 @@ from popsim.patches.silhouette import mask_polygon
 from popsim.rendering.ray_scene import RayScene
 
 if TYPE_CHECKING:
+    from shapely.geometry import Polygon
     from shapely.geometry.base import BaseGeometry
 
-SLAB = 0.35
-"""Outside the face, the model shows on a plate to this share of the depth `behind`."""
-
-SLAB_OF_FACE = 0.3
-"""The same depth is at most this share of the side of a square as large as the face."""
+LEAST_FIN = 25.0
+"""mm^2; smaller fins are not worth a slit."""
 
 REACH = 1e6
 """mm; beyond any model."""
@@ -36,11 +34,13 @@ def see(scene: RayScene, piece: Piece, settings: PatchSettings) -> None:
 
     Within the face all of the model in the plate's box of space shows that lies no deeper than `behind`, and
     what lies deeper where the rest encloses it, but no legs; in the rest of the room only what lies near the
-    plane of the face. Patches inside show nothing: they are cut to what both sides hide.
+    plane of the face. Patches inside are cut to what both sides hide; beyond their faces they rise as fins where
+    both sides see the model near their plane.
     """
     grid = Grid.over(piece.plane, piece.room.bounds, settings.pixel)
     if not piece.plate.principal:
-        piece.shape = common(mask_polygon(_hidden(scene, piece, grid), grid), piece.face)
+        hidden = common(mask_polygon(_between(scene, piece, grid, 0.0), grid), piece.face)
+        piece.shape = union(hidden, *_fins(scene, piece, grid))
         return
     sight = look(scene, grid, piece.box, -REACH, depths(piece, grid, piece.room))
     mask = sight.mask if piece.stands or _lies(piece) else sight.mask & ~legs(sight, piece)
@@ -51,12 +51,22 @@ def see(scene: RayScene, piece: Piece, settings: PatchSettings) -> None:
     piece.shape = common(mask_polygon(mask | dents, grid), piece.room)
 
 
-def _hidden(scene: RayScene, piece: Piece, grid: Grid) -> BoolArray:
-    """Pixels that the model hides from both sides of a patch inside, shape (rows, columns)."""
+def _between(scene: RayScene, piece: Piece, grid: Grid, depth: float) -> BoolArray:
+    """Pixels at which the model reaches from one side of a plane to the other, or at most `depth` short of it."""
     left, lower, right, upper = piece.room.bounds
     behind = Grid.over(_turned(piece.plane), (-right, lower, -left, upper), grid.pixel)
-    masks = [look(scene, each, piece.box, -REACH, 0.0).mask for each in (grid, behind)]
+    masks = [look(scene, each, piece.box, -REACH, depth).mask for each in (grid, behind)]
     return np.asarray(masks[0] & masks[1][:, ::-1])
+
+
+def _fins(scene: RayScene, piece: Piece, grid: Grid) -> list["Polygon"]:
+    """What rises beyond the face of a patch inside: worth cutting, and standing on the face."""
+    beyond = without(piece.room, piece.face)
+    if beyond.is_empty:
+        return []
+    wanted = common(mask_polygon(_between(scene, piece, grid, piece.plate.beside), grid), beyond)
+    fins = polygons(wanted)
+    return [fin for fin in fins if fin.area >= LEAST_FIN and fin.distance(piece.face) <= grid.pixel]
 
 
 def _enclosed(mask: BoolArray, piece: Piece, grid: Grid) -> BoolArray:
@@ -81,9 +91,8 @@ def _lies(piece: Piece) -> bool:
 
 def depths(piece: Piece, grid: Grid, region: "BaseGeometry") -> FloatArray:
     """How deep behind its plane a plate shows the model, by pixel; NaN outside `region`, shape (rows, columns)."""
-    behind = min(piece.plate.behind, REACH)
-    slab = min(SLAB * behind, SLAB_OF_FACE * float(np.sqrt(piece.face.area)))
-    far = np.where(grid.covered(piece.face.buffer(grid.pixel / 2)), behind, slab)
+    behind = min(piece.plate.behind, REACH) if piece.plate.principal else np.nan
+    far = np.where(grid.covered(piece.face.buffer(grid.pixel / 2)), behind, piece.plate.beside)
     if not piece.recesses.is_empty:
         far[grid.covered(piece.recesses)] = REACH
     far[~grid.covered(region.buffer(grid.pixel / 2))] = np.nan

@@ -16,7 +16,7 @@ from popsim.pipeline.prepare import Prepared
 from popsim.pipeline.territory import territories
 from popsim.verification import Verdict, verify
 
-REPAIRS = 4
+REPAIRS = 5
 """How often contours are cut back, the last time all of them."""
 
 Held = frozenset[str]
@@ -58,18 +58,24 @@ class Painter:
         return painted, design
 
     def verified(self, design: Design) -> tuple[Held, Verdict]:
-        """The patches that must be held for the design to pass, and the last verdict."""
+        """The patches that must be held for a design of this fit to pass, and the last verdict."""
         held: Held = frozenset()
         verdict = verify(design)
         for attempt in range(REPAIRS):
-            more = self.everything if attempt == REPAIRS - 1 else held | self._in_the_way(verdict)
+            last = attempt == REPAIRS - 1
+            more = self.everything if last else held | self._in_the_way(verdict, held)
             if verdict.passed or more == held:
                 break
             held = more
             verdict = verify(self.make(held, prints=False)[1])
         return held, verdict
 
-    def _in_the_way(self, verdict: Verdict) -> Held:
-        """Patches that verification found in collision; all of them if it names none."""
-        found = {patch for contact in verdict.evidence.contacts for patch in contact.patches}
-        return frozenset(found) & self.everything or self.everything
+    def _in_the_way(self, verdict: Verdict, held: Held) -> Held:
+        """Of each two patches in collision, that with less beyond its face; all patches if none are named."""
+        overhang = self._cuts[held].overhang
+        found = set()
+        for contact in verdict.evidence.contacts:
+            own = [name for name in contact.patches if name in self.everything - held]
+            reaching = [name for name in own if overhang[name] > 0] or own
+            found |= {min(reaching, key=lambda name: overhang[name])} if reaching else set()
+        return frozenset(found) or self.everything

@@ -7,6 +7,7 @@ side to which they fold; and nothing may stick out of the closed card. The condi
 refuse a design that works, and must never pass one that does not.
 """
 
+from popsim.validity.faces import faces_clear
 from popsim.validity.theory import Theory, examine
 
-__all__ = ["Theory", "examine"]
+__all__ = ["Theory", "examine", "faces_clear"]

@@ -2,13 +2,13 @@
 
 from popsim.design import Design
 from popsim.mechanisms import Condition
-from popsim.validity.reach import Reach
+from popsim.validity.reach import OutlineReach
 
 EDGE = 1e-6
 """mm; a patch may end at the edge of the page."""
 
 
-def contained_conditions(design: Design, reach: Reach) -> list[Condition]:
+def contained_conditions(design: Design, reach: OutlineReach) -> list[Condition]:
     """For each mechanism: the closed pose of its outlines lies within the pages."""
     (x0, x1), depth = design.card.x, design.card.depth
     conditions = []

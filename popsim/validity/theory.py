@@ -14,7 +14,7 @@ from popsim.mechanisms import Condition, Mechanism, Members, Recognition, mechan
 from popsim.validity.clear import clear_conditions
 from popsim.validity.contained import contained_conditions
 from popsim.validity.creases import crease_conditions
-from popsim.validity.reach import Reach
+from popsim.validity.reach import OutlineReach
 
 
 @dataclass(frozen=True, eq=False)
@@ -72,8 +72,8 @@ class Theory:
         return found | {patch: by_role[name][role] for patch, (name, role) in self.roles.items()}
 
     @cached_property
-    def _reach(self) -> Reach:
-        return Reach(self.design, self.mechanisms, self.poses(SWEEP))
+    def _reach(self) -> OutlineReach:
+        return OutlineReach(self.mechanisms, self.design, self.poses(SWEEP))
 
 
 SWEEP = np.linspace(OPEN, 0.0, 61)

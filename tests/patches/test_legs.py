@@ -27,13 +27,13 @@ def wheels(front):
 
 
 def test_wheels_behind_the_front_are_left_to_the_sides():
-    found = outlines(*wheels(41))
+    found = outlines(*wheels(34))
     assert found["F_L"][:, 2].min() == pytest.approx(10, abs=0.3)
     assert found["L"][:, 2].min() == 0
 
 
 def test_wheels_at_the_front_are_shown():
-    assert outlines(*wheels(48))["F_L"][:, 2].min() == 0
+    assert outlines(*wheels(41))["F_L"][:, 2].min() == 0
 
 
 def test_a_wall_beneath_a_projecting_storey_is_no_leg():
@@ -41,7 +41,7 @@ def test_a_wall_beneath_a_projecting_storey_is_no_leg():
 
 
 def test_an_axle_that_does_not_reach_the_ground_is_left_out():
-    axle = coloured_box((35, -30, 4), (41, 30, 10))
+    axle = coloured_box((28, -30, 4), (34, 30, 10))
     assert outlines(axle)["F_L"][:, 2].min() == pytest.approx(10, abs=0.3)
 
 
