@@ -8,8 +8,8 @@ import numpy as np
 
 from popsim.geometry.arrays import BoolArray, FloatArray
 from popsim.patches.piece import Piece
-from popsim.patches.segmentation import label_map
 from popsim.patches.sight import Sight
+from popsim.rendering.segmentation import label_map
 
 SET_BACK = 0.75
 """Share of the depth `behind` from which on a part of the model stands back. Wheels a little behind their bumper

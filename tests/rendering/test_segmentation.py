@@ -4,11 +4,11 @@ import time
 
 import numpy as np
 import pytest
-from patch_solids import coloured_box, joined
+from rendering_surfaces import box, joined
 
 from popsim.errors import GeometryError
-from popsim.patches.segmentation import label_map, segment
 from popsim.rendering.maps import render_maps
+from popsim.rendering.segmentation import label_map, segment
 from popsim.rendering.view import View
 
 
@@ -28,9 +28,9 @@ def front(surface, per_mm=4.0):
 def steps():
     """Three boxes that step back: grille, windscreen, roof sign."""
     return joined(
-        coloured_box((0, -20, 0), (50, 20, 15)),
-        coloured_box((0, -20, 15), (30, 20, 32)),
-        coloured_box((0, -8, 32), (10, 8, 40)),
+        box((0, -20, 0), (50, 20, 15)),
+        box((0, -20, 15), (30, 20, 32)),
+        box((0, -8, 32), (10, 8, 40)),
     )
 
 
