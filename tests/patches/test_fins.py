@@ -1,0 +1,73 @@
+"""Backbones rise as fins through slits in the tops, and the whole still folds."""
+
+import numpy as np
+import pytest
+from patch_solids import box_of, coloured_box, joined
+from shapely.geometry import Point, Polygon
+
+from popsim.design import Card
+from popsim.mechanisms import assemble, card_pair, plates_together
+from popsim.mechanisms.box_fold import BoxFold, Top
+from popsim.mechanisms.tent_fold import TentFold
+from popsim.patches import PatchSettings, paint
+from popsim.patches.slits import WIDTH
+from popsim.verification import verify
+
+CARD = Card(x=(-200, 200), depth=250)
+BOX = BoxFold.stepped("M1", card_pair(CARD), 30, (Top(-50, 50, 40),))
+BODY = coloured_box((-50, -30, 0), (50, 30, 40))
+MAST = coloured_box((-10, -3, 40), (10, 3, 75))
+
+
+def painted(*parts):
+    surface = joined(BODY, *parts)
+    return paint([BOX], surface, {"M1": box_of(surface)}, PatchSettings(dpi=75))
+
+
+def test_a_mast_over_the_fold_becomes_a_fin_of_its_shape():
+    fin = painted(MAST).shapes["M1.C"].outline
+    above = fin[fin[:, 2] > 41]
+    assert above[:, 2].max() == pytest.approx(75, abs=0.3)
+    assert np.sort(above[:, 0])[[0, -1]] == pytest.approx([-10, 10], abs=0.3)
+
+
+def test_its_top_has_a_slit_just_wide_enough():
+    shapes = painted(MAST).shapes
+    ground, backdrop = (Polygon(shapes[name].outline[:, :2]) for name in ("M1.T_G", "M1.T_B"))
+    for x in (-10.2, 0.0, 10.2):
+        assert not ground.contains(Point(x, 0.95 * WIDTH)) and ground.contains(Point(x, 1.05 * WIDTH))
+        assert backdrop.contains(Point(x, -0.05))
+    assert ground.contains(Point(-12, 0.05)) and ground.contains(Point(12, 0.05))
+
+
+def test_it_is_printed_and_the_hidden_backbone_is_not():
+    made = painted(MAST)
+    frame = made.shapes["M1.C"].texture_frame
+    assert frame is not None and frame.origin[2] > 35
+    assert painted().shapes["M1.C"].texture is None
+
+
+def test_it_folds_with_all_its_hinges():
+    verdict = verify(assemble(CARD, [BOX], painted(MAST).shapes))
+    assert verdict.passed and verdict.grade == "rigid"
+
+
+def test_what_stands_beside_the_fold_is_no_fin():
+    beside = coloured_box((-10, 12, 40), (10, 20, 75))
+    assert painted(beside).shapes["M1.C"].outline[:, 2].max() == pytest.approx(40, abs=1e-6)
+
+
+def test_nothing_along_the_fold_rises_where_something_stands_on_the_top():
+    top = next(pair for pair in BOX.pairs() if pair.patches == ("M1.T_G", "M1.T_B"))
+    tent = TentFold("M2", top, (-20.0, 20.0), 15.0, 20.0)
+    for plate in plates_together([BOX, tent])["M1"]:
+        if plate.role in ("L", "R", "C"):
+            above = plate.room[plate.room[:, 2] > 41]
+            assert not ((above[:, 0] > -19) & (above[:, 0] < 19)).any()
+
+
+def test_fins_stay_below_the_path_of_the_pairs_behind_their_top():
+    stepped = BoxFold.stepped("M1", card_pair(CARD), 30, (Top(-50, 0, 60), Top(0, 80, 40)))
+    room = plates_together([stepped])["M1"][2].room
+    over = room[(room[:, 0] > 1) & (room[:, 0] < 29)]
+    assert (over[:, 2] - 40 <= over[:, 0] + 1e-9).all()
