@@ -6,6 +6,7 @@ from pathlib import Path
 from popsim.export.styles import Style
 from popsim.layout import Layout
 from popsim.layout.sheet import Role, Sheet
+from popsim.simulation import Sweep
 from popsim.stock import CreaseAdvice
 
 CREASES = (Role.MOUNTAIN, Role.VALLEY)
@@ -27,6 +28,8 @@ class Job:
         The folder that pictures are relative to.
     title:
         Of the document.
+    sweep:
+        The motion of the design, where it is known.
     """
 
     layout: Layout
@@ -34,6 +37,7 @@ class Job:
     style: Style
     texture_root: Path
     title: str
+    sweep: Sweep | None = None
 
     @property
     def crease_advice(self) -> CreaseAdvice | None:

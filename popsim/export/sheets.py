@@ -12,6 +12,7 @@ from popsim.export.job import Job
 from popsim.export.styles import find_style
 from popsim.files import refuse_overwrite, write_file
 from popsim.layout import Layout, draw_sheets
+from popsim.simulation import Sweep
 
 
 def export(
@@ -26,6 +27,7 @@ def export(
     plan: AssemblyPlan | None = None,
     two_sided: bool = False,
     notes: tuple[str, ...] = (),
+    sweep: Sweep | None = None,
     force: bool = False,
 ) -> tuple[Path, ...]:
     """Write the sheets of a layout; the same input gives the same bytes.
@@ -50,6 +52,8 @@ def export(
         Follow each sheet by its mirrored reverse.
     notes:
         What to check, on the last sheet where there is room, else on one more.
+    sweep:
+        The motion of the design, for formats that show it.
     force:
         Overwrite existing files.
 
@@ -71,7 +75,7 @@ def export(
         sheets += draw_steps(plan)
     try:
         with tempfile.TemporaryDirectory() as folder:
-            made = writer(Job(layout, sheets, look, texture_root, path.stem), Path(folder) / path.name)
+            made = writer(Job(layout, sheets, look, texture_root, path.stem, sweep), Path(folder) / path.name)
             targets = [path.with_name(file.name) for file in made]
             for target in targets:
                 refuse_overwrite(target, force)

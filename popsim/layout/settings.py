@@ -9,7 +9,7 @@ from popsim.layout.registration import REGISTRATIONS
 from popsim.layout.thickness import KNIFE, USUAL
 from popsim.stock import Stock
 
-FOOTER = 13.0
+FOOTER = 14.0
 """mm above the lower margin kept for legend, scale bar, page number and reproduction line."""
 
 HEADER = 4.0

@@ -79,7 +79,8 @@ def export_sheets(
     force: bool,
 ) -> tuple[Path, ...]:
     """Write the sheets of any design in one format; parameters and errors as :func:`popsim.export.export`."""
-    planned = plan_sheets(design, fold_design(design, ANGLES).sweep, paper=paper, settings=settings)
+    sweep = fold_design(design, ANGLES).sweep
+    planned = plan_sheets(design, sweep, paper=paper, settings=settings)
     return export(
         planned.layout,
         path,
@@ -90,5 +91,6 @@ def export_sheets(
         plan=planned.plan,
         two_sided=two_sided,
         notes=planned.notes,
+        sweep=sweep,
         force=force,
     )

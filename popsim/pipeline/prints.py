@@ -56,6 +56,7 @@ def write_prints(
             plan=plan,
             two_sided=settings.two_sided,
             notes=checks,
+            sweep=sweep,
         )
     made += write_booklet(plan, design, sweep, folder, name=name, banner=banner, checks=checks)
     made.append(folder / "assembly.md")

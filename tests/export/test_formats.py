@@ -4,11 +4,13 @@ import json
 from pathlib import Path
 
 import ezdxf
+import numpy as np
 import pytest
 from printed_design import Printed
 
 from popsim.errors import InputError, OutputError
 from popsim.export import FORMATS, STYLES, export
+from popsim.simulation import fold_design
 
 
 @pytest.mark.parametrize("name", sorted(FORMATS))
@@ -72,10 +74,13 @@ def test_dxf_passes_the_audit_in_millimetres(printed: Printed, tmp_path: Path) -
 
 
 def test_fold_has_faces_and_assignments(printed: Printed, tmp_path: Path) -> None:
-    (file,) = export(printed.layout, tmp_path / "s.fold", "fold", texture_root=printed.folder)
+    sweep = fold_design(printed.design, 36).sweep
+    file, *pieces = export(printed.layout, tmp_path / "s.fold", "fold", texture_root=printed.folder, sweep=sweep)
     data = json.loads(file.read_text())
     assert data["file_spec"] == 1.2
-    for frame in (data, *data["file_frames"]):
+    assert len(pieces) == len(printed.layout.pieces)
+    opened, *folding = data["file_frames"]
+    for frame in (data, opened, *(json.loads(piece.read_text()) for piece in pieces)):
         count = len(frame["vertices_coords"])
         assert len(frame["edges_vertices"]) == len(frame["edges_assignment"])
         assert {v for face in frame["faces_vertices"] for v in face} == set(range(count))
@@ -85,4 +90,11 @@ def test_fold_has_faces_and_assignments(printed: Printed, tmp_path: Path) -> Non
     folds = [fold for piece in printed.layout.pieces for fold in piece.folds]
     assert sum(mark in "MV" for mark in data["edges_assignment"]) >= len(folds)
     assert len(data["faces_vertices"]) == len(printed.design.patches) + len(printed.layout.flaps)
-    assert len(data["file_frames"][0]["popsim:glue"]) == len(printed.layout.flaps)
+    assert len(opened["popsim:glue"]) == len(printed.layout.flaps)
+    angles = [frame["popsim:fold_angle"] for frame in folding]
+    assert angles == pytest.approx(list(range(165, -1, -15)))
+    for frame in folding:
+        assert frame["frame_inherit"] and frame["frame_parent"] == 1
+        assert len(frame["vertices_coords"]) == len(opened["vertices_coords"])
+    closed = np.array(folding[-1]["vertices_coords"])
+    assert np.abs(closed[:, 1]).max() < 0.05  # flat in the plane that bisects the card
