@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from popsim.design import Design
-from popsim.geometry.arrays import FloatArray
+from popsim.geometry.arrays import FloatArray, cross
 from popsim.geometry.frame import OPEN
 from popsim.simulation.engine import load_mujoco
 from popsim.simulation.forest import PAGES, Forest, spanning_forest
@@ -48,6 +48,7 @@ class Rig:
         xml = write_mjcf(design, self.forest, self.turns, Recipe(self.scale, pacing.damping, pacing.impedance))
         self.model: Any = mujoco.MjModel.from_xml_string(xml)
         self.data: Any = mujoco.MjData(self.model)
+        self._pages, self._velocities = self.data.mocap_quat, self.data.qvel
         self._step = mujoco.mj_step
         self._place = mujoco.mj_kinematics
         joints = [self.model.joint(joint.hinge.id).id for joint in self.forest.joints]
@@ -61,7 +62,7 @@ class Rig:
 
     def hold(self, quaternions: FloatArray) -> None:
         """Set ground and backdrop to two quaternions of :func:`page_quaternions`, shape (2, 4)."""
-        self.data.mocap_quat[:] = quaternions
+        self._pages[:] = quaternions
 
     def step(self, count: int = 1) -> None:
         """Integrate."""
@@ -70,7 +71,7 @@ class Rig:
     def settle(self, count: int) -> None:
         """Steps from rest: each is a Gauss-Newton step on the loop equations."""
         for _ in range(count):
-            self.data.qvel[:] = 0
+            self._velocities[:] = 0
             self._step(self.model, self.data)
 
     def restore(self, state: FloatArray, quaternions: FloatArray) -> None:
@@ -113,17 +114,16 @@ class Rig:
         With both pages on each other some parts hang on one line alone, the back walls of a v-fold for one, and
         nothing but the pages lays them flat.
         """
-        rotations = self.data.xmat.reshape(-1, 3, 3)[self._bodies]
+        bodies, turns = self._bodies, self.data.xmat.reshape(-1, 3, 3)
+        force = -PRESSING * self.model.body_mass[bodies]
+        torque = PRESSING * self.model.body_inertia[bodies, :1]
+        pushes = np.zeros((len(bodies), 6))
         for _ in range(count):
-            normals = np.einsum("pij,pj->pi", rotations, self._normals)
-            upright = np.sign(normals[:, 1:2]) * Y_AXIS
-            height = self.data.xipos[self._bodies, 1]
-            pushes = np.zeros((len(self._bodies), 6))
-            pushes[:, 1] = -PRESSING * height * self.model.body_mass[self._bodies]
-            pushes[:, 3:] = PRESSING * np.cross(normals, upright) * self.model.body_inertia[self._bodies, :1]
-            self.data.xfrc_applied[self._bodies] = pushes
+            normals = (turns[bodies] @ self._normals[:, :, None])[..., 0]
+            pushes[:, 1] = force * self.data.xipos[bodies, 1]
+            pushes[:, 3:] = torque * cross(normals, np.sign(normals[:, 1:2]) * Y_AXIS)
+            self.data.xfrc_applied[bodies] = pushes
             self.settle(1)
-            rotations = self.data.xmat.reshape(-1, 3, 3)[self._bodies]
         self.push(None)
 
     def poses(self) -> FloatArray:

@@ -18,6 +18,9 @@ from popsim.simulation.sweep import Sweep
 PARTS = 10
 """Into how many steps the one between two angles is divided when a contact is looked for between them."""
 
+ALIKE = 6
+"""Decimals of depths, mm, that tell contacts apart; those of mirror images differ in the last bits only."""
+
 SAME = 1e-6
 """Share of a step that rounding may make it longer."""
 
@@ -63,7 +66,7 @@ def find_contacts(
         wanted = {(kind, contact.patches) for contact in starting}
         first = _beginnings(rig, sweep, frame, wanted, look, resolution)
         contacts += [replace(contact, first=first[kind, contact.patches]) for contact in starting]
-    return tuple(sorted(contacts, key=lambda contact: (-contact.depth, contact.patches)))
+    return tuple(sorted(contacts, key=lambda contact: (-round(contact.depth, ALIKE), contact.patches)))
 
 
 def _beginnings(

@@ -49,7 +49,7 @@ class Pacing:
 END_DEGREES = 3.0
 """Within this of 180 and 0 degrees the pages are driven by `end_steps`."""
 
-BRISK = Pacing(steps=1, end_steps=5, settle=1, end_settle=3, damping=0.1, impedance=0.9999)
+BRISK = Pacing(steps=1, end_steps=5, settle=2, end_settle=3, damping=0.1, impedance=0.9999)
 """For designs whose loops can close; those that fold do so to below 0.0001 mm."""
 
 PATIENT = Pacing(steps=2, end_steps=20, settle=4, end_settle=10, damping=500.0, impedance=0.99)

@@ -59,6 +59,7 @@ def to_dict(verdict: Verdict) -> dict[str, Any]:
         "contacts": [
             {
                 "patches": list(contact.patches),
+                "way": contact.way,
                 "first_deg": number(degrees(contact.first)),
                 "depth": number(contact.depth),
                 "deepest_deg": number(degrees(contact.deepest)),

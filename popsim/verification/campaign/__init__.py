@@ -14,6 +14,17 @@ verified, and counted in one confusion matrix per aspect. What is not as it must
 from popsim.verification.campaign.campaign import Campaign, Residual
 from popsim.verification.campaign.plan import Task, plan
 from popsim.verification.campaign.run import run_campaign
+from popsim.verification.campaign.summary import summary
 from popsim.verification.campaign.trial import Disagreement, Outcome, try_task
 
-__all__ = ["Campaign", "Disagreement", "Outcome", "Residual", "Task", "plan", "run_campaign", "try_task"]
+__all__ = [
+    "Campaign",
+    "Disagreement",
+    "Outcome",
+    "Residual",
+    "Task",
+    "plan",
+    "run_campaign",
+    "summary",
+    "try_task",
+]

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
+from popsim import __version__
 from popsim.mechanisms.condition import Aspect
 from popsim.verification.campaign.trial import Disagreement, Outcome
 
@@ -82,6 +83,7 @@ class Campaign:
     def to_dict(self) -> dict[str, Any]:
         """The report as plain data; the same campaign gives the same, on any number of jobs."""
         return {
+            "popsim": __version__,
             "designs": self.count,
             "seed": self.seed,
             "patches": sum(outcome.patches for outcome in self.outcomes),
@@ -90,9 +92,9 @@ class Campaign:
             "matrices": {aspect: _cells(matrix) for aspect, matrix in self.matrices.items()},
             "residuals": {
                 name: {"value": residual.value, "design": residual.index}
-                for name, residual in self.residuals.items()
+                for name, residual in sorted(self.residuals.items())
             },
-            "refusals": {flaw: dict(sorted(reasons.items())) for flaw, reasons in self.refusals.items()},
+            "refusals": {flaw: dict(sorted(reasons.items())) for flaw, reasons in sorted(self.refusals.items())},
             "disagreements": [
                 {"design": outcome.task.index, "file": file_name(outcome), "flaw": outcome.task.flaw, **vars(each)}
                 for outcome, each in self.disagreements
