@@ -1,11 +1,11 @@
 """Rebuilding the pieces from cut and crease lines alone, as scissors would; shares no code with the writers."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from itertools import combinations, pairwise
 
 import numpy as np
 import shapely
+from sheet_readers import Side
 
 from popsim.design import Design, Hinge, Patch
 
@@ -13,20 +13,30 @@ TRUE = 0.05
 """mm; how exact the paper must be."""
 
 
-@dataclass(frozen=True)
-class Lines:
-    """Lines read from a file, by layer; each an array (n, 2), mm, y up, closed ones with the first point again."""
-
-    cut: list[np.ndarray]
-    mountain: list[np.ndarray]
-    valley: list[np.ndarray]
-
-
-def faces(lines: Lines) -> list[shapely.Polygon]:
-    """What is enclosed by cuts and creases: patches and flaps."""
-    strings = [shapely.LineString(points) for points in (*lines.cut, *lines.mountain, *lines.valley)]
+def faces(lines: Side) -> list[shapely.Polygon]:
+    """What is enclosed by cuts and creases: patches and flaps, no holes."""
+    corners = np.concatenate(lines.cut) if lines.cut else np.zeros((0, 2))
+    creases = [_snapped(points, corners) for points in (*lines.mountain, *lines.valley)]
+    strings = [shapely.LineString(points) for points in (*lines.cut, *creases)]
     noded = shapely.unary_union(strings, grid_size=0.01)
-    return list(shapely.get_parts(shapely.polygonize(shapely.get_parts(noded))))
+    found = list(shapely.get_parts(shapely.polygonize(shapely.get_parts(noded))))
+    rings = [shapely.Polygon(points) for points in lines.cut if np.abs(points[0] - points[-1]).max() < TRUE / 2]
+    return [face for face in found if _is_paper(face.representative_point(), rings)]
+
+
+def _is_paper(spot: shapely.Point, rings: list[shapely.Polygon]) -> bool:
+    """Within an outline, not within a hole in it, but again within a piece that lies in the hole, and so on."""
+    return sum(ring.contains(spot) for ring in rings) % 2 == 1
+
+
+def _snapped(crease: np.ndarray, corners: np.ndarray) -> np.ndarray:
+    """A crease from corner to corner where they are as near as that, else drawn on a little."""
+    along = (crease[-1] - crease[0]) / np.linalg.norm(crease[-1] - crease[0])
+    ends = []
+    for end, beyond in ((crease[0], -along), (crease[-1], along)):
+        off = np.linalg.norm(corners - end, axis=1)
+        ends.append(corners[off.argmin()] if len(off) and off.min() < TRUE else end + TRUE * beyond)
+    return np.array(ends)
 
 
 def shape_of(patch: Patch) -> shapely.Polygon:
