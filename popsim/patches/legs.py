@@ -25,7 +25,7 @@ OVERHUNG = 0.5
 """Share of the upper ends of a part above which something nearer must lie."""
 
 WALL = 0.5
-"""Share of the width of its plate from which on a part that reaches the foot is a wall, and no leg."""
+"""Share of the height of its plate from which on a part is a wall; of the width, where it reaches the foot."""
 
 
 def legs(sight: Sight, piece: Piece) -> BoolArray:
@@ -53,10 +53,11 @@ def _overhung(part: BoolArray, depth: FloatArray) -> bool:
 
 
 def _wall(part: BoolArray, sight: Sight, piece: Piece) -> bool:
-    """Whether a part reaches the foot of the plate and is half as wide."""
-    left, lower, right, _ = piece.face.bounds
+    """Whether a part is half as high as the plate, or reaches its foot and is half as wide."""
+    left, lower, right, upper = piece.face.bounds
     rows = np.flatnonzero(part.any(axis=1))
     pixel = sight.grid.pixel
     foot = sight.grid.low[1] + (sight.grid.shape[0] - rows[-1] - 1) * pixel
-    width = part.sum() / len(rows) * pixel
-    return bool(foot < lower + 2 * pixel and width >= WALL * (right - left))
+    width, height = part.sum() / len(rows) * pixel, len(rows) * pixel
+    wide = foot < lower + 2 * pixel and width >= WALL * (right - left)
+    return bool(wide or height >= WALL * (upper - lower))

@@ -40,6 +40,17 @@ def test_a_wall_beneath_a_projecting_storey_is_no_leg():
     assert outlines(coloured_box((-50, -30, 0), (41, 30, 10)))["F_L"][:, 2].min() == 0
 
 
+def test_a_wing_beneath_the_eaves_is_no_leg():
+    body = [coloured_box((-50, -30, 36), (50, 30, 40)), coloured_box((-50, -15, 0), (50, 15, 40))]
+    wings = [coloured_box((-41, side, 0), (41, side + 15, 36)) for side in (-30, 15)]
+    surface = joined(*body, *wings)
+    box = BoxFold.stepped("M1", card_pair(CARD), 30, (Top(-50, 50, 40),))
+    found = paint([box], surface, {"M1": box_of(surface)}, PatchSettings(dpi=75), prints=False).shapes
+    front = found["M1.F_L"].outline
+    assert np.ptp(front[:, 1]) == pytest.approx(30, abs=0.3)
+    assert front[front[:, 1] > 20, 2].min() == 0
+
+
 def test_an_axle_that_does_not_reach_the_ground_is_left_out():
     axle = coloured_box((28, -30, 4), (34, 30, 10))
     assert outlines(axle)["F_L"][:, 2].min() == pytest.approx(10, abs=0.3)
