@@ -41,8 +41,8 @@ def test_a_wall_beneath_a_projecting_storey_is_no_leg():
 
 
 def test_a_wing_beneath_the_eaves_is_no_leg():
-    body = [coloured_box((-50, -30, 36), (50, 30, 40)), coloured_box((-50, -15, 0), (50, 15, 40))]
-    wings = [coloured_box((-41, side, 0), (41, side + 15, 36)) for side in (-30, 15)]
+    body = [coloured_box((-50, -30, 36), (50, 30, 40)), coloured_box((-50, -18, 0), (50, 18, 40))]
+    wings = [coloured_box((-33, side, 0), (33, side + 12, 36)) for side in (-30, 18)]
     surface = joined(*body, *wings)
     box = BoxFold.stepped("M1", card_pair(CARD), 30, (Top(-50, 50, 40),))
     found = paint([box], surface, {"M1": box_of(surface)}, PatchSettings(dpi=75), prints=False).shapes
