@@ -93,7 +93,7 @@ def read_paper(sides: list[Side], width: float) -> Paper:
     for word, labelled in flaps.items():
         joints = _glued([(k, found[k]) for k, _ in labelled], places[word], bends)
         if not joints:  # a number beside its flap, which is too small for it
-            beside = sorted(bends, key=lambda k: found[k].distance(labelled[0][1]))[:BESIDE]  # noqa: B023  # at once
+            beside = sorted(bends, key=lambda k: found[k].distance(labelled[0][1]))[:BESIDE]  # at once
             tried = [_glued([(k, found[k])], places[word], bends) for k in beside]
             joints = next((joints for joints in tried if joints), [])
         assert joints, f"the flap {word} fits none of its places"
