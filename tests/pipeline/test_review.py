@@ -19,7 +19,7 @@ from popsim.pipeline.review import doubts, leftovers, overhang
 from popsim.rendering.ray_scene import RayScene
 
 CARD = Card(x=(-100.0, 100.0), depth=150.0)
-FAITHFUL = Likeness(0.9, 0.8)
+FAITHFUL = Likeness(0.9, 0.8, 0.1)
 
 
 def boxes(*bounds: tuple[tuple[float, float, float], tuple[float, float, float]]) -> Surface:
@@ -101,5 +101,5 @@ def test_a_heap_of_triangles_is_designed_with_low_confidence(shared_meshes: Path
     (doubt,) = doubts(soup.surface, align(soup), FAITHFUL)
     assert doubt.startswith("low confidence: the model is a heap of loose triangles (100% of its area)")
     assert doubts(truck.surface, align(truck), FAITHFUL) == ()
-    (unlike,) = doubts(truck.surface, align(truck), Likeness(0.5, 0.3))
+    (unlike,) = doubts(truck.surface, align(truck), Likeness(0.5, 0.3, 0.4))
     assert "resembles the model little (silhouette 0.50, relief 0.30 of 1)" in unlike
