@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 
 from popsim.errors import MeshError
+from popsim.files import read_bytes
 from popsim.geometry.arrays import FloatArray
 from popsim.geometry.surface import Material, Surface
 from popsim.mesh.cleaning import usable_triangles
@@ -40,12 +41,16 @@ def load_model(path: Path | str) -> Model:
 
     Raises
     ------
+    InputError
+        The file is missing, a folder, or may not be read.
     MeshError
-        The file is missing, not of a known format, damaged, or holds no surface.
+        It is empty, not of a known format, damaged, or holds no surface.
     """
     path = Path(path)
     known = format_of(path)
-    data = _read(path)
+    data = read_bytes(path, "model")
+    if not data.strip():
+        raise MeshError(f"{path.name}: the file is empty")
     linear = known.linear_colours and _DISPLAY_COLOUR_WRITER not in data
     with _quiet():
         meshes, notes = _parse(path, known, data)
@@ -62,20 +67,6 @@ def load_model(path: Path | str) -> Model:
         unit=known.unit,
         notes=(*notes, *problems, *dropped),
     )
-
-
-def _read(path: Path) -> bytes:
-    if not path.exists():
-        raise MeshError(f"{path}: there is no such file; check the path")
-    if not path.is_file():
-        raise MeshError(f"{path}: this is not a file; give a model file")
-    try:
-        data = path.read_bytes()
-    except OSError as error:
-        raise MeshError(f"{path}: cannot be read: {error.strerror}") from error
-    if not data.strip():
-        raise MeshError(f"{path.name}: the file is empty")
-    return data
 
 
 def _parse(path: Path, known: ModelFormat, data: bytes) -> tuple[list[tuple[Any, Any]], list[str]]:

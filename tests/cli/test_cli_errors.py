@@ -32,7 +32,7 @@ def test_what_is_no_model_is_named(popsim, tmp_path: Path, name: str, content: s
 @pytest.mark.parametrize(
     ("arguments", "word"),
     [
-        (("design", "missing.obj"), "missing.obj: there is no such file"),
+        (("design", "missing.obj"), "model missing.obj does not exist"),
         (("design", "m.obj", "--detail", 2), "detail"),
         (("design", "m.obj", "--size", "big"), "--size"),
         (("design", "m.obj", "--size", "3km"), "--size"),

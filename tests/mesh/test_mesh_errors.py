@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from popsim.errors import MeshError
+from popsim.errors import InputError, MeshError
 from popsim.mesh.formats import FORMATS
 from popsim.mesh.loading import load_model
 
@@ -58,12 +58,12 @@ def test_refused_in_one_line(name: str, tmp_path: Path) -> None:
 
 
 def test_missing_file(tmp_path: Path) -> None:
-    with pytest.raises(MeshError, match="no such file"):
+    with pytest.raises(InputError, match=r"nowhere\.obj does not exist"):
         load_model(tmp_path / "nowhere.obj")
 
 
 def test_folder(tmp_path: Path) -> None:
     folder = tmp_path / "folder.obj"
     folder.mkdir()
-    with pytest.raises(MeshError, match="not a file"):
+    with pytest.raises(InputError, match="is a folder"):
         load_model(folder)
