@@ -34,7 +34,7 @@ def export(
     from popsim import __version__
     from popsim.design import load_design
     from popsim.errors import InputError
-    from popsim.export import FORMATS
+    from popsim.export import FORMATS, Printing
     from popsim.export.solid import SOLIDS, export_solid
     from popsim.layout import LayoutSettings
     from popsim.pipeline.planned import export_sheets
@@ -56,9 +56,11 @@ def export(
             textures=path.parent,
             paper=sheet or "A4",
             settings=settings,
-            style=style,
-            two_sided=two_sided,
-            footer=f"popsim {__version__} · popsim export {path.name} --format {format} --paper '{paper}'",
+            printing=Printing(
+                style,
+                two_sided,
+                f"popsim {__version__} · popsim export {path.name} --format {format} --paper '{paper}'",
+            ),
             force=force,
         )
     typer.echo("\n".join(str(file) for file in made))

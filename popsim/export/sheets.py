@@ -7,11 +7,13 @@ from pathlib import Path
 
 from popsim.assembly import AssemblyPlan, draw_steps
 from popsim.errors import OutputError
-from popsim.export.formats import find_writer
+from popsim.export.formats import Writer, find_writer
 from popsim.export.job import Job
+from popsim.export.printing import Printing
 from popsim.export.styles import find_style
 from popsim.files import refuse_overwrite, write_file
 from popsim.layout import Layout, draw_sheets
+from popsim.layout.sheet import Sheet
 from popsim.simulation import Sweep
 
 
@@ -21,12 +23,8 @@ def export(
     format: str,
     *,
     texture_root: Path,
-    style: str = "origami",
-    footer: str = "",
-    banner: str | None = None,
+    printing: Printing | None = None,
     plan: AssemblyPlan | None = None,
-    two_sided: bool = False,
-    notes: tuple[str, ...] = (),
     sweep: Sweep | None = None,
     force: bool = False,
 ) -> tuple[Path, ...]:
@@ -40,18 +38,10 @@ def export(
         A name in :data:`popsim.export.formats.FORMATS`.
     texture_root:
         The folder that the textures' paths are relative to: that of the design file.
-    style:
-        A name in :data:`popsim.export.styles.STYLES`.
-    footer:
-        What reproduces the sheets: command, version, seed, input hash.
-    banner:
-        A warning on every sheet, or None.
+    printing:
+        Line style, texts and sides; None for the usual.
     plan:
         Prints its numbers instead of the layout's own, and its steps after the sheets.
-    two_sided:
-        Follow each sheet by its mirrored reverse.
-    notes:
-        What to check, on the last sheet where there is room, else on one more.
     sweep:
         The motion of the design, for formats that show it.
     force:
@@ -68,14 +58,30 @@ def export(
     OutputError
         A file exists, or the folder cannot be written.
     """
-    writer, look = find_writer(format), find_style(style)
+    printing = printing or Printing()
+    writer, style = find_writer(format), find_style(printing.style)
     layout = layout if plan is None else plan.layout
-    sheets = draw_sheets(layout, footer=footer, banner=banner, two_sided=two_sided, notes=notes)
-    if plan is not None:
-        sheets += draw_steps(plan)
+    job = Job(layout, _sheets(layout, printing, plan), style, texture_root, path.stem, sweep)
+    return _written(writer, job, path, force)
+
+
+def _sheets(layout: Layout, printing: Printing, plan: AssemblyPlan | None) -> tuple[Sheet, ...]:
+    """The layout drawn, then the pages of the steps."""
+    sheets = draw_sheets(
+        layout,
+        footer=printing.footer,
+        banner=printing.banner,
+        two_sided=printing.two_sided,
+        notes=printing.notes,
+    )
+    return sheets if plan is None else (*sheets, *draw_steps(plan))
+
+
+def _written(writer: Writer, job: Job, path: Path, force: bool) -> tuple[Path, ...]:
+    """Write a job aside, then put all of its files where they belong, or none."""
     try:
         with tempfile.TemporaryDirectory() as folder:
-            made = writer(Job(layout, sheets, look, texture_root, path.stem, sweep), Path(folder) / path.name)
+            made = writer(job, Path(folder) / path.name)
             targets = [path.with_name(file.name) for file in made]
             for target in targets:
                 refuse_overwrite(target, force)

@@ -1,13 +1,13 @@
 """Sheets and steps planned together, with the flaps folded along."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
 
 from popsim.assembly import AssemblyPlan, plan_assembly
 from popsim.design import Design
-from popsim.export import export
+from popsim.export import Printing, export
 from popsim.gluing import FlapContact, find_flap_contacts, keeping_clear
 from popsim.layout import Layout, LayoutSettings, lay_out
 from popsim.simulation import Sweep, fold_design
@@ -73,9 +73,7 @@ def export_sheets(
     textures: Path,
     paper: str,
     settings: LayoutSettings,
-    style: str,
-    two_sided: bool,
-    footer: str,
+    printing: Printing,
     force: bool,
 ) -> tuple[Path, ...]:
     """Write the sheets of any design in one format; parameters and errors as :func:`popsim.export.export`."""
@@ -86,11 +84,8 @@ def export_sheets(
         path,
         format,
         texture_root=textures,
-        style=style,
-        footer=footer,
+        printing=replace(printing, notes=(*printing.notes, *planned.notes)),
         plan=planned.plan,
-        two_sided=two_sided,
-        notes=planned.notes,
         sweep=sweep,
         force=force,
     )

@@ -4,7 +4,7 @@ from pathlib import Path
 
 from popsim.booklet import write_booklet
 from popsim.design import Design, dump_design
-from popsim.export import export
+from popsim.export import Printing, export
 from popsim.pipeline.planned import Planned, plan_sheets
 from popsim.pipeline.settings import RunSettings
 from popsim.simulation import Sweep
@@ -42,6 +42,7 @@ def write_prints(
     """
     planned = plan_sheets(design, sweep, paper=settings.paper, settings=settings.layout)
     plan, checks = planned.plan, (*checks, *planned.notes)
+    printing = Printing(settings.style, settings.two_sided, footer, banner, checks)
     made = [folder / "design.json"]
     made[0].write_text(dump_design(design))
     for kind in settings.formats:
@@ -50,12 +51,8 @@ def write_prints(
             folder / f"sheets.{kind}",
             kind,
             texture_root=folder,
-            style=settings.style,
-            footer=footer,
-            banner=banner,
+            printing=printing,
             plan=plan,
-            two_sided=settings.two_sided,
-            notes=checks,
             sweep=sweep,
         )
     made += write_booklet(plan, design, sweep, folder, name=name, banner=banner, checks=checks)

@@ -9,7 +9,7 @@ import pytest
 from printed_design import Printed
 
 from popsim.errors import InputError, OutputError
-from popsim.export import FORMATS, STYLES, export
+from popsim.export import FORMATS, STYLES, Printing, export
 from popsim.simulation import fold_design
 
 
@@ -23,7 +23,7 @@ def test_same_layout_same_bytes(name: str, printed: Printed, tmp_path: Path) -> 
             name,
             texture_root=printed.folder,
             plan=printed.plan,
-            footer="popsim",
+            printing=Printing(footer="popsim"),
         )
         made.append([file.read_bytes() for file in files])
     assert made[0] == made[1]
@@ -35,7 +35,7 @@ def test_nothing_is_overwritten_without_leave(name: str, printed: Printed, tmp_p
     files = export(printed.layout, path, name, texture_root=printed.folder)
     before = [file.read_bytes() for file in files]
     with pytest.raises(OutputError, match="exists"):
-        export(printed.layout, path, name, texture_root=printed.folder, banner="other")
+        export(printed.layout, path, name, texture_root=printed.folder, printing=Printing(banner="other"))
     assert [file.read_bytes() for file in files] == before
     export(printed.layout, path, name, texture_root=printed.folder, force=True)
 
@@ -53,7 +53,9 @@ def test_unknown_names_are_refused_with_the_known(printed: Printed, tmp_path: Pa
     with pytest.raises(InputError, match="pdf"):
         export(printed.layout, tmp_path / "s.xyz", "xyz", texture_root=printed.folder)
     with pytest.raises(InputError, match="origami"):
-        export(printed.layout, tmp_path / "s.pdf", "pdf", texture_root=printed.folder, style="baroque")
+        export(
+            printed.layout, tmp_path / "s.pdf", "pdf", texture_root=printed.folder, printing=Printing("baroque")
+        )
 
 
 def test_a_missing_picture_is_named_and_nothing_is_left(printed: Printed, tmp_path: Path) -> None:

@@ -8,7 +8,7 @@ import pytest
 from printed_design import Printed
 
 from popsim.design import Card, Design
-from popsim.export import export
+from popsim.export import Printing, export
 from popsim.layout import draw_sheets, lay_out
 from popsim.mechanisms import assemble
 
@@ -26,8 +26,7 @@ def pdf(printed: Printed, tmp_path_factory: pytest.TempPathFactory) -> Path:
         "pdf",
         texture_root=printed.folder,
         plan=printed.plan,
-        footer="popsim 0.1 seed 0 sha256 abc",
-        banner="NOT VERIFIED",
+        printing=Printing(footer="popsim 0.1 seed 0 sha256 abc", banner="NOT VERIFIED"),
     )
     return made
 
