@@ -85,10 +85,11 @@ def _uncross(first: Run, second: Run) -> None:
 def _overhang(run: Run) -> "BaseGeometry":
     """The part of the outline beyond the axis, and not in the face."""
     assert run.inward is not None  # asked by the caller
-    return without(common(run.piece.shape, _beyond(run, run.inward)), run.piece.face)
+    return without(common(run.piece.shape, beyond(run, run.inward)), run.piece.face)
 
 
-def _beyond(run: Run, inward: FloatArray) -> "Polygon":
+def beyond(run: Run, inward: FloatArray) -> "Polygon":
+    """Everything on the other side of the axis than `inward`, alongside it."""
     from shapely.geometry import Polygon
 
     start, end = run.ends

@@ -79,7 +79,7 @@ def cut(
     for name, piece in pieces.items():
         outlines[name], own = finished(piece, settings)
         notes += own
-    cut_slits(mechanisms, pieces, outlines)
+    cut_slits(mechanisms, pieces, outlines, settings)
     return Cut(pieces, outlines, tuple(notes), coverage)
 
 

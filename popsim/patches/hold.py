@@ -129,12 +129,17 @@ def hold(runs: list[Run], settings: PatchSettings, snap: float | None = None) ->
     return bool(cost[near].max() > snap)
 
 
+def least_hold(length: float, settings: PatchSettings) -> float:
+    """How much of a line of some length must be held for its hinge to hold, mm."""
+    return min(length, max(settings.least_length, settings.least_share * length))
+
+
 def _near(cost: FloatArray, along: FloatArray, length: float, snap: float, settings: PatchSettings) -> BoolArray:
     """Places at which the outline is joined to the line: those within snap, and of the rest as few as hold.
 
     The rest are taken nearest to the line first; of those equally near, the ones beside places taken already.
     """
-    needed = min(length, max(settings.least_length, settings.least_share * length)) - ROUNDING
+    needed = least_hold(length, settings) - ROUNDING
     near = cost <= snap
     seeds = along[near] if near.any() else along[cost.argmin()][None]
     aside = np.abs(along[:, None] - seeds[None, :]).min(axis=1)

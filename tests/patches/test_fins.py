@@ -52,6 +52,14 @@ def test_it_folds_with_all_its_hinges():
     assert verdict.passed and verdict.grade == "rigid"
 
 
+def test_no_fin_takes_the_hinge_it_rises_from():
+    short = BoxFold.stepped("M1", card_pair(CARD), 30, (Top(-6, 6, 40),))
+    surface = joined(coloured_box((-6, -30, 0), (6, 30, 40)), coloured_box((-6, -3, 40), (6, 3, 75)))
+    shapes = paint([short], surface, {"M1": box_of(surface)}, PatchSettings(dpi=75)).shapes
+    assert shapes["M1.C"].outline[:, 2].max() == pytest.approx(40, abs=1e-6)
+    assert verify(assemble(CARD, [short], shapes)).passed
+
+
 def test_what_stands_beside_the_fold_is_no_fin():
     beside = coloured_box((-10, 12, 40), (10, 20, 75))
     assert painted(beside).shapes["M1.C"].outline[:, 2].max() == pytest.approx(40, abs=1e-6)
