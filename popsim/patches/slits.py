@@ -64,7 +64,7 @@ def _held(fin: Run, host: Run, inner: "Polygon", outer: "Polygon") -> float:
     import shapely
 
     count = max(4, round(fin.length / STEP))
-    along = (np.arange(count) + 0.5) * (fin.length / count)
+    along = np.asarray((np.arange(count) + 0.5) * (fin.length / count), np.float64)
     both = np.ones(count, dtype=bool)
     for run, outline in ((fin, inner), (host, outer)):
         assert run.inward is not None  # there are no slits without
