@@ -5,17 +5,15 @@ from typing import Annotated
 
 import typer
 
+from popsim.cli.options import ForceFolder, Formats, Paper, Style, chosen_formats
+
 
 def calibration(
     output: Annotated[Path, typer.Option("--output", "-o", help="Folder to write.")] = Path("calibration"),
-    paper: Annotated[
-        str, typer.Option(help='Sheet (A4, Letter, 300x400mm), weight (200gsm) or both ("Letter 160gsm").')
-    ] = "A4",
-    style: Annotated[str, typer.Option(help="Line style of the sheet.")] = "origami",
-    format: Annotated[
-        list[str] | None, typer.Option(help="pdf, svg, dxf or fold; may be repeated. By default pdf and svg.")
-    ] = None,
-    force: Annotated[bool, typer.Option("--force", help="Write into a folder that is not empty.")] = False,
+    paper: Paper = "A4",
+    style: Style = "origami",
+    format: Formats = None,
+    force: ForceFolder = False,
 ) -> None:
     """Print a test build, a small box and a small wedge on a card: try printer, paper, knife and glue on it first.
 
@@ -35,7 +33,7 @@ def calibration(
         paper=sheet or "A4",
         style=style,
         layout=LayoutSettings(stock=stock),
-        formats=tuple(dict.fromkeys(format or ("pdf", "svg"))),
+        formats=chosen_formats(format),
     )
     settings.check_choices()
     check_folder(output, force)

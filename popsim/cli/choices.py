@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import replace
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from popsim.errors import InputError
@@ -16,6 +17,13 @@ USUAL_SIZE = 150.0
 
 SAME = 1e-6
 """mm; sizes that differ by less are one."""
+
+
+def read_hand(path: Path | None) -> "Hand":
+    """Return what the user's wishes file says; nothing where there is none."""
+    from popsim.pipeline.wishes import Hand, load_wishes
+
+    return Hand() if path is None else load_wishes(path)
 
 
 def chosen_size(size: str | None, scale: str | None, hand: "Hand") -> tuple["float | Scale", bool]:

@@ -6,9 +6,20 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-if TYPE_CHECKING:
-    from popsim.pipeline import DesignRun, RunSettings
+from popsim.cli.options import (
+    ForceFolder,
+    Formats,
+    Grain,
+    Paper,
+    Registration,
+    Style,
+    TwoSided,
+    chosen_formats,
+)
 
+if TYPE_CHECKING:
+    from popsim.patches import PatchSettings
+    from popsim.pipeline import DesignRun, RunSettings
 
 SPARE = 0.5
 """mm by which pictures are larger than what is shown of them: nothing ends at the border of an image."""
@@ -20,93 +31,97 @@ class Fold(StrEnum):
     AUTO, LONG, SHORT = "auto", "long", "short"
 
 
+Model = Annotated[Path, typer.Argument(metavar="MODEL", help="OBJ, STL, PLY, OFF, GLB, glTF or 3MF.")]
+Folder = Annotated[
+    Path | None, typer.Option("--output", "-o", help="Folder to write; by default MODEL's name and -popup.")
+]
+Up = Annotated[
+    str, typer.Option(metavar="DIRECTION", help="What points up: x, -x, y, -y, z, -z, or a vector as 0.2,0,1.")
+]
+Front = Annotated[str | None, typer.Option(metavar="DIRECTION", help="What points to the front, likewise.")]
+Align = Annotated[
+    str,
+    typer.Option(
+        metavar="npca|edges|none|ANGLE",
+        help="Heading by normals, by long edges, as it is, or turned from there by an angle as 30deg.",
+    ),
+]
+FoldSide = Annotated[Fold, typer.Option(help="Side along which the central fold runs.")]
+Size = Annotated[
+    str | None, typer.Option(help="Longest side of the model, e.g. 120mm; by default what the paper allows.")
+]
+Scale = Annotated[str | None, typer.Option(help="Or its scale, as 1:87; units are mm, in glTF metres.")]
+Card = Annotated[
+    str | None, typer.Option(help="The card when folded, as A5 or 180x120mm; the model is made to fit.")
+]
+Wishes = Annotated[
+    Path | None,
+    typer.Option(metavar="FILE", help="What to keep, forbid and pin; each run writes such a file."),
+]
+Forbid = Annotated[
+    list[str] | None, typer.Option(metavar="MECHANISM", help="Never use it, as v-fold-1; may be repeated.")
+]
+Detail = Annotated[float, typer.Option(help="0: few patches, 1: many.")]
+MaxPatches = Annotated[int | None, typer.Option(help="Never make more patches.", show_default="120")]
+Dpi = Annotated[float, typer.Option(help="Resolution of the prints.")]
+Base = Annotated[str, typer.Option(help="What the pages show: none, outline or print.")]
+Bleed = Annotated[str, typer.Option(help="How far prints reach beyond cuts and folds.")]
+Reverse = Annotated[
+    str | None, typer.Option(metavar="COLOUR", help="Of the side of the paper that is not printed.")
+]
+Seed = Annotated[int, typer.Option(help="Of everything random; the report states it.")]
+Unverified = Annotated[
+    bool, typer.Option("--allow-unverified", help="Export even what does not fold, every sheet marked.")
+]
+
+
 def design(
-    model: Annotated[Path, typer.Argument(metavar="MODEL", help="OBJ, STL, PLY, OFF, GLB, glTF or 3MF.")],
-    output: Annotated[
-        Path | None, typer.Option("--output", "-o", help="Folder to write; by default MODEL's name and -popup.")
-    ] = None,
-    up: Annotated[
-        str, typer.Option(metavar="DIRECTION", help="What points up: x, -x, y, -y, z, -z, or a vector as 0.2,0,1.")
-    ] = "auto",
-    front: Annotated[
-        str | None,
-        typer.Option(metavar="DIRECTION", help="What points to the front, likewise."),
-    ] = None,
-    align: Annotated[
-        str,
-        typer.Option(
-            metavar="npca|edges|none|ANGLE",
-            help="Heading by normals, by long edges, as it is, or turned from there by an angle as 30deg.",
-        ),
-    ] = "npca",
-    fold: Annotated[Fold, typer.Option(help="Side along which the central fold runs.")] = Fold.AUTO,
-    size: Annotated[
-        str | None, typer.Option(help="Longest side of the model, e.g. 120mm; by default what the paper allows.")
-    ] = None,
-    scale: Annotated[str | None, typer.Option(help="Or its scale, as 1:87; units are mm, in glTF metres.")] = None,
-    card: Annotated[
-        str | None, typer.Option(help="The card when folded, as A5 or 180x120mm; the model is made to fit.")
-    ] = None,
-    wishes: Annotated[
-        Path | None,
-        typer.Option(metavar="FILE", help="What to keep, forbid and pin; each run writes such a file."),
-    ] = None,
-    forbid: Annotated[
-        list[str] | None, typer.Option(metavar="MECHANISM", help="Never use it, as v-fold-1; may be repeated.")
-    ] = None,
-    detail: Annotated[float, typer.Option(help="0: few patches, 1: many.")] = 0.5,
-    max_patches: Annotated[int | None, typer.Option(help="Never make more patches.", show_default="120")] = None,
-    paper: Annotated[
-        str, typer.Option(help='Sheet (A4, Letter, 300x400mm), weight (200gsm) or both ("Letter 160gsm").')
-    ] = "A4",
-    style: Annotated[str, typer.Option(help="Line style of the sheets.")] = "origami",
-    format: Annotated[
-        list[str] | None, typer.Option(help="pdf, svg, dxf or fold; may be repeated. By default pdf and svg.")
-    ] = None,
-    two_sided: Annotated[bool, typer.Option("--two-sided", help="Mirrored sheets for the back.")] = False,
-    grain: Annotated[bool, typer.Option("--grain", help="Keep the direction of the paper's grain.")] = False,
-    registration: Annotated[
-        str, typer.Option(help="Marks and limits of a cutting machine: none, silhouette or cricut.")
-    ] = "none",
-    dpi: Annotated[float, typer.Option(help="Resolution of the prints.")] = 300.0,
-    base: Annotated[str, typer.Option(help="What the pages show: none, outline or print.")] = "outline",
-    bleed: Annotated[str, typer.Option(help="How far prints reach beyond cuts and folds.")] = "1mm",
-    reverse: Annotated[
-        str | None, typer.Option(metavar="COLOUR", help="Of the side of the paper that is not printed.")
-    ] = None,
-    seed: Annotated[int, typer.Option(help="Of everything random; the report states it.")] = 0,
-    allow_unverified: Annotated[
-        bool, typer.Option("--allow-unverified", help="Export even what does not fold, every sheet marked.")
-    ] = False,
-    force: Annotated[bool, typer.Option("--force", help="Write into a folder that is not empty.")] = False,
+    model: Model,
+    output: Folder = None,
+    up: Up = "auto",
+    front: Front = None,
+    align: Align = "npca",
+    fold: FoldSide = Fold.AUTO,
+    size: Size = None,
+    scale: Scale = None,
+    card: Card = None,
+    wishes: Wishes = None,
+    forbid: Forbid = None,
+    detail: Detail = 0.5,
+    max_patches: MaxPatches = None,
+    paper: Paper = "A4",
+    style: Style = "origami",
+    format: Formats = None,
+    two_sided: TwoSided = False,
+    grain: Grain = False,
+    registration: Registration = "none",
+    dpi: Dpi = 300.0,
+    base: Base = "outline",
+    bleed: Bleed = "1mm",
+    reverse: Reverse = None,
+    seed: Seed = 0,
+    allow_unverified: Unverified = False,
+    force: ForceFolder = False,
 ) -> None:
     """Design a pop-up of a 3D model, fold it in MuJoCo, and export its sheets if it passes.
 
     Exit code 0: designed and verified. 1: it does not fold, see the report. 2: something is wrong with the input.
     """
-    from popsim.cli.choices import chosen_size, chosen_wishes, most_patches
-    from popsim.cli.table import print_verdict
+    from popsim.cli.choices import chosen_size, chosen_wishes, most_patches, read_hand
     from popsim.fitting import FitSettings
     from popsim.layout import LayoutSettings
-    from popsim.patches import PatchSettings
-    from popsim.pipeline import RunSettings, run_design
-    from popsim.pipeline.deliver import deliver
-    from popsim.pipeline.folder import check_folder
-    from popsim.pipeline.prepare import Stance
-    from popsim.pipeline.wishes import Hand, load_wishes
+    from popsim.pipeline import RunSettings, Stance
     from popsim.stock import split_stock
-    from popsim.units import parse_colour, parse_length
+    from popsim.units import parse_length
 
     bled = parse_length(bleed, "--bleed")
-    behind = None if reverse is None else parse_colour(reverse, "--reverse")
-    folder = output or Path(f"{model.stem}-popup")
     stock, sheet = split_stock(paper)
-    hand = Hand() if wishes is None else load_wishes(wishes)
+    hand = read_hand(wishes)
     chosen, exact = chosen_size(size, scale, hand)
     settings = RunSettings(
         stance=Stance(up, front, align, fold.value),
         fit=FitSettings(detail, most_patches(max_patches, hand), chosen_wishes(hand, forbid or ())),
-        patches=PatchSettings(dpi=dpi, base=base, bleed=bled + SPARE, reverse=behind),
+        patches=_prints(dpi, base, bled, reverse),
         size=chosen,
         exact_size=exact,
         card=card,
@@ -115,10 +130,29 @@ def design(
         style=style,
         layout=LayoutSettings(grain=grain, registration=registration, bleed=bled, stock=stock),
         two_sided=two_sided,
-        formats=tuple(dict.fromkeys(format or ("pdf", "svg"))),
+        formats=chosen_formats(format),
         seed=seed,
         allow_unverified=allow_unverified,
     )
+    raise typer.Exit(0 if _designed(model, settings, wishes, output, force) else 1)
+
+
+def _prints(dpi: float, base: str, bleed: float, reverse: str | None) -> "PatchSettings":
+    from popsim.patches import PatchSettings
+    from popsim.units import parse_colour
+
+    behind = None if reverse is None else parse_colour(reverse, "--reverse")
+    return PatchSettings(dpi=dpi, base=base, bleed=bleed + SPARE, reverse=behind)
+
+
+def _designed(model: Path, settings: "RunSettings", wishes: Path | None, output: Path | None, force: bool) -> bool:
+    """Design, deliver and tell; returns whether it passed."""
+    from popsim.cli.table import print_verdict
+    from popsim.pipeline import run_design
+    from popsim.pipeline.deliver import deliver
+    from popsim.pipeline.folder import check_folder
+
+    folder = output or Path(f"{model.stem}-popup")
     settings.check_choices()
     check_folder(folder, force)
     run = run_design(model, settings, lambda stage: typer.echo(f"{stage} ...", err=True))
@@ -130,7 +164,7 @@ def design(
     for doubt in run.doubts:
         typer.echo(doubt)
     typer.echo(f"{len(files)} files in {folder}")
-    raise typer.Exit(0 if run.verdict.passed else 1)
+    return run.verdict.passed
 
 
 def _command(model: Path, settings: "RunSettings", wishes: Path | None) -> str:

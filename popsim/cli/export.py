@@ -5,6 +5,8 @@ from typing import Annotated
 
 import typer
 
+from popsim.cli.options import Grain, Paper, Registration, Style, TwoSided
+
 
 def export(
     path: Annotated[Path, typer.Argument(metavar="DESIGN", help="A design.json, of popsim or anybody else.")],
@@ -16,15 +18,11 @@ def export(
     angle: Annotated[
         float | None, typer.Option(help="Fold angle of the pop-up, degrees; GLB moves if none is given.")
     ] = None,
-    paper: Annotated[
-        str, typer.Option(help='Sheet (A4, Letter, 300x400mm), weight (200gsm) or both ("Letter 160gsm").')
-    ] = "A4",
-    style: Annotated[str, typer.Option(help="Line style of the sheets.")] = "origami",
-    two_sided: Annotated[bool, typer.Option("--two-sided", help="Mirrored sheets for the back.")] = False,
-    grain: Annotated[bool, typer.Option("--grain", help="Keep the direction of the paper's grain.")] = False,
-    registration: Annotated[
-        str, typer.Option(help="Marks for a cutting machine: none, silhouette or cricut.")
-    ] = "none",
+    paper: Paper = "A4",
+    style: Style = "origami",
+    two_sided: TwoSided = False,
+    grain: Grain = False,
+    registration: Registration = "none",
     force: Annotated[bool, typer.Option("--force", help="Overwrite existing files.")] = False,
 ) -> None:
     """Write a design in one more format: its sheets, or the pop-up in space at any fold angle.

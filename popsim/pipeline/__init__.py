@@ -4,7 +4,8 @@ Load and align, measure, fit and map, size the card, paint the patches, verify, 
 report what it did and what it left out; nothing is exported that did not fold.
 """
 
+from popsim.pipeline.prepare import Stance
 from popsim.pipeline.run import DesignRun, run_design
 from popsim.pipeline.settings import RunSettings
 
-__all__ = ["DesignRun", "RunSettings", "run_design"]
+__all__ = ["DesignRun", "RunSettings", "Stance", "run_design"]

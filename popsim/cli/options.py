@@ -1,0 +1,24 @@
+"""Options that several commands share: what is printed, on what, and for which machine."""
+
+from typing import Annotated
+
+import typer
+
+Paper = Annotated[
+    str, typer.Option(help='Sheet (A4, Letter, 300x400mm), weight (200gsm) or both ("Letter 160gsm").')
+]
+Style = Annotated[str, typer.Option(help="Line style of the sheets.")]
+Formats = Annotated[
+    list[str] | None, typer.Option(help="pdf, svg, dxf or fold; may be repeated. By default pdf and svg.")
+]
+TwoSided = Annotated[bool, typer.Option("--two-sided", help="Mirrored sheets for the back.")]
+Grain = Annotated[bool, typer.Option("--grain", help="Keep the direction of the paper's grain.")]
+Registration = Annotated[
+    str, typer.Option(help="Marks and limits of a cutting machine: none, silhouette or cricut.")
+]
+ForceFolder = Annotated[bool, typer.Option("--force", help="Write into a folder that is not empty.")]
+
+
+def chosen_formats(stated: list[str] | None) -> tuple[str, ...]:
+    """The formats of sheets, each once; PDF and SVG where none is stated."""
+    return tuple(dict.fromkeys(stated or ("pdf", "svg")))
