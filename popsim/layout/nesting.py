@@ -1,29 +1,30 @@
-"""Nesting pieces on sheets: first fit on a raster, all places of a sheet tried at once by convolution.
+"""Nesting pieces on sheets: first fit on rasters, in many orders.
 
-Pieces go largest first, by several measures and with their sizes taken at random within limits; the best result is
-kept: fewest sheets, then least on the last. For each piece the sheets are searched in order, and on a sheet the
-lowest, then leftmost place of all its turns. The raster covers every piece grown by half the gap and half a cell,
-so what is free on the raster is free on paper; shapely has the last word.
+Pieces go largest first, by several measures and with their sizes taken at random within limits. For each piece the
+sheets are searched in order, and on a sheet the lowest, then leftmost place of all its turns. The best result is
+kept: fewest sheets, then all but the last well filled, then least on the last. Coarse rasters show quickly which
+orders are worth a fine one; shapely has the last word.
 """
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
-from functools import cached_property
+from functools import cache
+from itertools import islice
+from math import ceil
 from random import Random
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
-from popsim.geometry.arrays import BoolArray, FloatArray
+from popsim.geometry.arrays import FloatArray
 from popsim.geometry.flat import flat_motion, move_shape
 from popsim.layout.errors import LayoutError
+from popsim.layout.sheet_raster import Grid, SheetRaster, Turns
 
 if TYPE_CHECKING:
     from shapely.geometry import Polygon
 
-CELL = 1.0
-"""mm; side of a raster cell."""
+FINE, COARSE = 1.0, 2.0
+"""mm; sides of raster cells."""
 
 SQUARE = 1e-3
 """Radians; a smallest rectangle that is turned by less is upright."""
@@ -35,13 +36,18 @@ MEASURES: tuple[Callable[["Polygon"], float], ...] = (
 )
 """Orders that are tried: largest first, by these."""
 
-TRIES = 12
-"""Orders tried in all; twice as many save no sheet in any of a dozen designs, and little of the last."""
+FIRST, TRIES, BEST = 6, 60, 4
+"""Orders tried with fine cells, then with coarse ones if sheets are still to be saved or filled; how many of those
+are tried with fine cells too."""
+
+WELL_FILLED = 0.55
+"""Share of the area that pieces should take on every sheet but the last."""
+
+DENSE = 0.85
+"""Share of the area that irregular pieces hardly exceed: no order saves a sheet beyond."""
 
 SMALLEST_SHARE = 0.4
 """In a random order a piece counts as this share of its size at least: large ones still go early."""
-
-Spectrum = npt.NDArray[np.complex128]
 
 
 class Place(NamedTuple):
@@ -49,28 +55,6 @@ class Place(NamedTuple):
 
     sheet: int
     motion: FloatArray
-
-
-@dataclass(frozen=True, eq=False)
-class _Turned:
-    """A shape at one angle.
-
-    `motion` brings it to where its `mask` (rows are y) at row and column 0 means; `size` is that of the sheets.
-    """
-
-    motion: FloatArray
-    mask: BoolArray
-    size: tuple[int, int]
-
-    @cached_property
-    def cells(self) -> int:
-        """Number of cells covered."""
-        return int(self.mask.sum())
-
-    @cached_property
-    def spectrum(self) -> Spectrum:
-        """Spectrum of the mask on a sheet."""
-        return _spectrum(self.mask, self.size)
 
 
 def nest(
@@ -94,17 +78,17 @@ def nest(
     LayoutError
         A shape exceeds the area at every angle.
     """
-    slack = _growth(gap)  # grown shapes may reach over the area's rim
-    size = (int((room[1] + 2 * slack) // CELL), int((room[0] + 2 * slack) // CELL))
-    turns = [[_turned(shape, angle, gap, size) for angle in _angles(shape, room, grain)] for shape in shapes]
-    for index, own in enumerate(turns):
+    angles = [_angles(shape, room, grain) for shape in shapes]
+    for index, own in enumerate(angles):
         if not own:
             raise _too_large(shapes[index], names[index], room)
-    best: list[Place] = []
-    for order in _orders(shapes):
-        found = _fill(turns, order, size)
-        if not best or _waste(found, shapes) < _waste(best, shapes):
-            best = found
+    bench = _Bench(shapes, angles, room, gap)
+    orders = _orders(shapes)
+    best = min((bench.filling(FINE, order) for order in islice(orders, FIRST)), key=bench.waste)
+    if not bench.suffices(best):
+        more = sorted(orders, key=lambda order: (bench.waste(bench.filling(COARSE, order)), order))
+        coarse = [bench.filling(COARSE, order) for order in more[:1]]
+        best = min([best, *(bench.filling(FINE, order) for order in more[:BEST]), *coarse], key=bench.waste)
     _judge(shapes, names, best, room, gap)
     return _emptiest_last(best, shapes)
 
@@ -122,17 +106,38 @@ def _orders(shapes: list["Polygon"]) -> Iterator[tuple[int, ...]]:
             yield order
 
 
-def _fill(turns: list[list[_Turned]], order: tuple[int, ...], size: tuple[int, int]) -> list[Place]:
-    """First fit of all shapes in the given order."""
-    sheets: list[_Sheet] = []
-    places = {index: _put(turns[index], sheets, size) for index in order}
-    return [places[index] for index in range(len(turns))]
+class _Bench:
+    """Shapes that are tried in many orders on rasters of several cells."""
 
+    def __init__(
+        self, shapes: list["Polygon"], angles: list[list[float]], room: tuple[float, float], gap: float
+    ) -> None:
+        self.shapes, self.angles, self.room, self.gap = shapes, angles, room, gap
+        self.turns = cache(self._turns)
+        self.filling = cache(self._filling)
 
-def _waste(places: list[Place], shapes: list["Polygon"]) -> tuple[float, ...]:
-    """Less is better: number of sheets, what lies on the emptiest, then how evenly the others are filled."""
-    filled = _filled(places, shapes)
-    return len(filled), float(filled.min(initial=np.inf)), -float((filled**2).sum())
+    def waste(self, places: list[Place]) -> tuple[float, ...]:
+        """Less is better: sheets, what all but the last lack, what lies on the last, how even the others are."""
+        filled = np.sort(_filled(places, self.shapes) / (self.room[0] * self.room[1]))
+        lacking = np.maximum(WELL_FILLED - filled[1:], 0.0).sum()
+        return len(filled), float(lacking), float(filled[0]), -float((filled**2).sum())
+
+    def suffices(self, places: list[Place]) -> bool:
+        """Whether other orders could neither save a sheet nor fill one that is not well filled."""
+        sheets, lacking, *_ = self.waste(places)
+        area = sum(shape.area for shape in self.shapes)
+        return not lacking and sheets <= ceil(area / (DENSE * self.room[0] * self.room[1]))
+
+    def _turns(self, cell: float) -> list[Turns]:
+        grid = Grid.over(self.room, self.gap, cell)
+        return [Turns.of(shape, own, self.gap, grid) for shape, own in zip(self.shapes, self.angles, strict=True)]
+
+    def _filling(self, cell: float, order: tuple[int, ...]) -> list[Place]:
+        """First fit of all shapes in the given order."""
+        sheets: list[SheetRaster] = []
+        turns = self.turns(cell)
+        places = {index: _put(turns[index], sheets) for index in order}
+        return [places[index] for index in range(len(self.shapes))]
 
 
 def _filled(places: list[Place], shapes: list["Polygon"]) -> FloatArray:
@@ -150,64 +155,14 @@ def _emptiest_last(places: list[Place], shapes: list["Polygon"]) -> list[Place]:
     return [Place(rank[place.sheet], place.motion) for place in places]
 
 
-def _growth(gap: float) -> float:
-    """Half the gap, and the half diagonal of a cell: a cell that a shape touches then has its centre inside."""
-    return gap / 2 + CELL * float(np.sqrt(0.5))
-
-
-class _Sheet:
-    """What is taken on a sheet, with its spectrum for convolutions."""
-
-    def __init__(self, size: tuple[int, int]) -> None:
-        self.taken: BoolArray = np.zeros(size, dtype=bool)
-        self.spectrum: Spectrum | None = None
-
-    def lowest(self, turned: _Turned) -> tuple[int, int] | None:
-        """Row and column of the lowest, then leftmost place where the raster of `turned` hits nothing."""
-        from scipy import fft
-
-        rows, columns = self.taken.shape[0] - turned.mask.shape[0], self.taken.shape[1] - turned.mask.shape[1]
-        if not self.taken.any():
-            return 0, 0
-        if self.spectrum is None:
-            self.spectrum = _spectrum(self.taken, self.taken.shape)
-        hits = fft.irfft2(self.spectrum * turned.spectrum.conj(), s=_padded(self.taken.shape))[
-            : rows + 1, : columns + 1
-        ]
-        free = np.argwhere(hits < 0.5)
-        return (int(free[0][0]), int(free[0][1])) if len(free) else None
-
-    def take(self, row: int, column: int, mask: BoolArray) -> None:
-        self.taken[row : row + mask.shape[0], column : column + mask.shape[1]] |= mask
-        self.spectrum = None
-
-
-def _padded(size: tuple[int, ...]) -> tuple[int, int]:
-    from scipy import fft
-
-    return fft.next_fast_len(size[0], real=True), fft.next_fast_len(size[1], real=True)
-
-
-def _spectrum(mask: BoolArray, size: tuple[int, ...]) -> Spectrum:
-    """Spectrum of a raster; circular convolution is exact for places where the raster stays within `size`."""
-    from scipy import fft
-
-    return np.asarray(fft.rfft2(mask.astype(np.float64), s=_padded(size)))
-
-
-def _put(turns: list[_Turned], sheets: list[_Sheet], size: tuple[int, int]) -> Place:
-    least = min(turned.cells for turned in turns)
+def _put(turns: Turns, sheets: list[SheetRaster]) -> Place:
     for number in range(len(sheets) + 1):
         if number == len(sheets):
-            sheets.append(_Sheet(size))
-        sheet = sheets[number]
-        if sheet.taken.size - int(sheet.taken.sum()) < least:
-            continue
-        spots = [(spot, k) for k, turned in enumerate(turns) if (spot := sheet.lowest(turned)) is not None]
-        if spots:
-            (row, column), k = min(spots)
-            sheet.take(row, column, turns[k].mask)
-            return Place(number, flat_motion(0.0, (column * CELL, row * CELL)) @ turns[k].motion)
+            sheets.append(SheetRaster(turns.grid))
+        spot = sheets[number].lowest(turns)
+        if spot is not None:
+            sheets[number].take(spot, turns)
+            return Place(number, turns.motion(spot))
     raise AssertionError("a shape that goes on an empty sheet was not placed on one")
 
 
@@ -223,28 +178,6 @@ def _angles(shape: "Polygon", room: tuple[float, float], grain: bool) -> list[fl
         if high_x - low_x <= room[0] + 1e-9 and high_y - low_y <= room[1] + 1e-9:
             found.append(angle)
     return found
-
-
-def _turned(shape: "Polygon", angle: float, gap: float, size: tuple[int, int]) -> _Turned:
-    """The shape at an angle; what its growth adds beyond the sheet is left out."""
-    motion = flat_motion(angle)
-    moved = move_shape(motion, shape)
-    growth = _growth(gap)
-    low = np.array(moved.bounds[:2]) - growth
-    columns, rows = np.ceil((np.array(moved.bounds[2:]) + growth - low) / CELL).astype(int)
-    # mitred corners hold the round ones, whose polygons would fall short of the full distance
-    grown = moved.buffer(growth, join_style="mitre", mitre_limit=1.1)
-    mask = _raster(grown, low, (min(int(rows), size[0]), min(int(columns), size[1])))
-    return _Turned(flat_motion(0.0, -low - growth) @ motion, mask, size)
-
-
-def _raster(shape: "Polygon", low: FloatArray, size: tuple[int, int]) -> BoolArray:
-    """Cells whose centre lies in `shape`, shape `size` (rows, columns)."""
-    import shapely
-
-    shapely.prepare(shape)
-    y, x = np.meshgrid(*((np.arange(n) + 0.5) * CELL for n in size), indexing="ij")
-    return np.asarray(shapely.contains_xy(shape, x + low[0], y + low[1]))
 
 
 def _too_large(shape: "Polygon", name: str, room: tuple[float, float]) -> LayoutError:

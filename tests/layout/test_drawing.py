@@ -13,7 +13,7 @@ def texts(sheet: Sheet) -> list[str]:
 
 
 def test_the_reverse_mirrors_the_places_behind(box: Design) -> None:
-    layout = lay_out(box)
+    layout = lay_out(box, paper="170x220mm")
     sheets = draw_sheets(layout, two_sided=True, banner="NOT VERIFIED")
     assert [sheet.name for sheet in sheets] == [
         "Sheet 1 of 2",
