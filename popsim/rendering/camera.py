@@ -6,7 +6,7 @@ import numpy as np
 import numpy.typing as npt
 
 from popsim.errors import GeometryError
-from popsim.geometry.arrays import FloatArray, locked
+from popsim.geometry.arrays import FloatArray, IntArray, locked
 
 AXES = "xyz"
 
@@ -117,13 +117,14 @@ class Camera:
         """Unit direction to the right in the picture, shape (3,)."""
         return np.cross(self.up, self.eye)
 
-    def rays(self, rows: int, columns: int, which: slice) -> tuple[FloatArray, FloatArray]:
-        """Return origins (n, 3) and directions (n, 3) through the pixels `which` of a picture, row by row.
+    def rays(self, rows: int, columns: int, which: slice | IntArray) -> tuple[FloatArray, FloatArray]:
+        """Return origins (n, 3) and directions (n, 3) through pixels of a picture, counted row by row.
 
         The directions are one unit long along the line of sight, so that a distance counted in them is the
         depth.
         """
-        row, column = np.divmod(np.arange(*which.indices(rows * columns)), columns)
+        numbers = np.arange(*which.indices(rows * columns)) if isinstance(which, slice) else which
+        row, column = np.divmod(numbers, columns)
         pixel = self.height / rows
         x, y = (column + 0.5 - columns / 2) * pixel, (rows / 2 - row - 0.5) * pixel
         across = x[:, None] * self.right + y[:, None] * self.up

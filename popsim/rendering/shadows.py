@@ -20,8 +20,8 @@ Values = npt.NDArray[np.float32]
 
 WINDOW = 4  # samples per side that share their rays
 SHARES = WINDOW**2
-DOME_RAYS = 24 * SHARES  # over the whole sphere; those below the surface are not traced
-KEY_RAYS = 4 * SHARES
+DOME_RAYS = 12 * SHARES  # over the whole sphere; those below the surface are not traced
+KEY_RAYS = 3 * SHARES
 KEY_RADIUS = 0.10  # of the key light, seen from the surface (radians); the softness of its shadows
 REACH = 1.2  # times the size of the scene: how far the dome is searched, so that insides stay readable
 LIFT = 0.75  # samples off the surface; OpenGL knows depth at a corner of the sample, not at its centre
@@ -93,11 +93,14 @@ def _gathered(found: Values, frame: Frame) -> Values:
     there = (frame.pixel > 0)[None].astype(np.float32)
     values = np.concatenate([found, there])
     sums = np.zeros_like(values)
+    normal, point = (np.ascontiguousarray(np.moveaxis(image, -1, 0)) for image in (frame.normal, frame.point))
+    level = (normal * point).sum(axis=0)
     for here, other in _windows(frame.pixel.shape):
-        turn = np.einsum("...d,...d->...", frame.normal[here], frame.normal[other])
-        apart = frame.point[other] - frame.point[here]
-        leaves = np.abs(np.einsum("...d,...d->...", frame.normal[here], apart))
-        one = (turn > ALIKE) & (leaves < FLUSH * frame.pixel[here])
+        turn, leaves = np.zeros((2, *frame.pixel[here].shape), dtype=np.float32)
+        for axis in range(3):
+            turn += normal[axis][here] * normal[axis][other]
+            leaves += normal[axis][here] * point[axis][other]
+        one = (turn > ALIKE) & (np.abs(leaves - level[here]) < FLUSH * frame.pixel[here])
         sums[(slice(None), *here)] += values[(slice(None), *other)] * one
     return sums
 
