@@ -4,12 +4,20 @@ Exit codes: 0 success, 1 a design failed verification, 2 something about the inp
 folder is wrong; then one line on stderr says what.
 """
 
+import os
 import sys
 from typing import NoReturn
 
+THREADS = "OPENBLAS_NUM_THREADS"
+"""Environment variable of numpy's linear algebra, read at its import."""
+
 
 def main() -> NoReturn:
-    """Run the command `popsim`."""
+    """Run the command `popsim`.
+
+    Matrices here are small and many: threads would wait for each other, and cost thirty times what they gain.
+    """
+    os.environ.setdefault(THREADS, "1")
     from popsim.cli.app import app
     from popsim.errors import PopsimError
 

@@ -1,12 +1,15 @@
 """`popsim verify`."""
 
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 if TYPE_CHECKING:
+    from popsim.design import Design
     from popsim.stock import Stock
+    from popsim.verification import Verdict
 
 MOVING = "Draw the card closing and opening; GIF, WebP, APNG or MP4."
 STOCK = "Fold it as paper too, e.g. 200gsm or '200gsm 0.25mm': torque, stack, sag, clearance."
@@ -35,8 +38,6 @@ def verify(
     from popsim.cli.table import print_verdict
     from popsim.design import load_design
     from popsim.files import refuse_overwrite, write_text
-    from popsim.pictures.animation import check_animation, write_animation
-    from popsim.pictures.plot import check_plot, write_plot
     from popsim.simulation import to_mjcf
     from popsim.verification import verify as fold_and_judge
     from popsim.verification.paper_report import paper_csv
@@ -46,10 +47,7 @@ def verify(
     for wanted in (report, junit, mjcf, plot, animate, csv):
         if wanted is not None:
             refuse_overwrite(wanted, force)
-    if plot is not None:
-        check_plot(plot)
-    if animate is not None:
-        check_animation(animate)
+    drawings = list(_drawings(path, plot, animate, force))
     verdict = fold_and_judge(design, stock=stock)
     texts = (
         (report, verdict.to_json),
@@ -60,12 +58,32 @@ def verify(
     for file, text in texts:
         if file is not None:
             write_text(file, text(), force=force)
-    if plot is not None:
-        write_plot(plot, design, verdict, str(path), force=force)
-    if animate is not None:
-        write_animation(animate, design, verdict, path.parent, force=force)
+    for draw in drawings:
+        draw(design, verdict)
     print_verdict(verdict, str(path))
     raise typer.Exit(0 if verdict.passed else 1)
+
+
+def _drawings(
+    path: Path, plot: Path | None, animate: Path | None, force: bool
+) -> Iterator[Callable[["Design", "Verdict"], None]]:
+    """What draws the pictures that are asked for; their imports would take as long as a small design.
+
+    Raises
+    ------
+    InputError
+        A file cannot be of the format that its name says.
+    """
+    if plot is not None:
+        from popsim.pictures.plot import check_plot, write_plot
+
+        check_plot(plot)
+        yield lambda design, verdict: write_plot(plot, design, verdict, str(path), force=force)
+    if animate is not None:
+        from popsim.pictures.animation import check_animation, write_animation
+
+        check_animation(animate)
+        yield lambda design, verdict: write_animation(animate, design, verdict, path.parent, force=force)
 
 
 def _stock(

@@ -19,5 +19,5 @@ def blur(rig: Rig, sweep: Sweep, frames: IntArray) -> FloatArray:
     jacobian = LoopJacobian(rig.design, rig.forest)
     poses = sweep.poses[frames]
     _, stiffness = jacobian.nullity(poses, SINGULAR)
-    gaps = np.linalg.norm(jacobian.residual(poses, list(range(len(rig.forest.loops)))), axis=1)
+    gaps = np.linalg.norm(jacobian.residual(poses), axis=(1, 2))
     return np.asarray(gaps / stiffness)

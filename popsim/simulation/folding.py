@@ -1,8 +1,7 @@
 """Folding a design, briskly first and patiently where that leaves a gap."""
 
 from dataclasses import dataclass
-
-import numpy as np
+from functools import cached_property
 
 from popsim.design import Design
 from popsim.simulation.gaps import Gaps, loop_gaps
@@ -15,8 +14,12 @@ from popsim.simulation.sweep import Sweep, fold
 CLOSES = 1e-3
 """mm; a largest gap up to this needs no second, patient sweep."""
 
-PASSED = 0.05
-"""mm; hinged patches that pass each other by more have gone where paper cannot."""
+PASSED = 1e-3
+"""mm; hinged patches that pass each other by more than this and the gap have gone where paper cannot. A thin
+parallelogram that opens crosswise passes itself by hundredths of a mm only, and carries others far off."""
+
+ROUNDS = 4
+"""Sweeps in which ever more hinges are guarded. What passes after the last is told as a crossing."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -27,6 +30,19 @@ class Folding:
     sweep: Sweep
     gaps: Gaps
 
+    @cached_property
+    def passed(self) -> frozenset[str]:
+        """Ids of the hinges that close loops and pass through themselves."""
+        loops = self.rig.forest.loops
+        depths = passing_depths(self.sweep, [self.rig.turns[hinge.id] for hinge in loops])
+        through = depths.max(axis=0, initial=0.0) > PASSED + self.gaps.largest
+        return frozenset(hinge.id for hinge, passes in zip(loops, through, strict=True) if passes)
+
+    @property
+    def badness(self) -> tuple[bool, bool, float]:
+        """The less of two sweeps counts: complete, through no hinge, with the smaller gap."""
+        return not self.sweep.complete, bool(self.passed), self.gaps.largest
+
 
 def fold_design(design: Design, angles: int) -> Folding:
     """Close and open `design`, recording `angles` equal steps each way.
@@ -36,8 +52,7 @@ def fold_design(design: Design, angles: int) -> Folding:
     brisk = _fold(design, angles, BRISK)
     if brisk.sweep.complete and brisk.gaps.largest <= CLOSES:
         return brisk
-    patient = _fold(design, angles, PATIENT)
-    return min(brisk, patient, key=lambda folding: (not folding.sweep.complete, folding.gaps.largest))
+    return min(brisk, _fold(design, angles, PATIENT), key=lambda folding: folding.badness)
 
 
 def _fold(design: Design, angles: int, pacing: Pacing) -> Folding:
@@ -47,14 +62,13 @@ def _fold(design: Design, angles: int, pacing: Pacing) -> Folding:
     there, and so does a joint of the forest, but not a hinge that closes a loop.
     """
     guarded: frozenset[str] = frozenset()
-    while True:
+    folding = _fold_once(design, angles, pacing, guarded)
+    for _ in range(ROUNDS):
+        if folding.passed <= guarded or not folding.sweep.complete:
+            break
+        guarded |= folding.passed
         folding = _fold_once(design, angles, pacing, guarded)
-        loops = folding.rig.forest.loops
-        depths = passing_depths(folding.sweep, [folding.rig.turns[hinge.id] for hinge in loops])
-        passed = {loops[column].id for column in np.flatnonzero(depths.max(axis=0) > PASSED)}
-        if passed <= guarded or not folding.sweep.complete:
-            return folding
-        guarded |= passed
+    return folding
 
 
 def _fold_once(design: Design, angles: int, pacing: Pacing, guarded: frozenset[str]) -> Folding:

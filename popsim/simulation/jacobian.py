@@ -60,6 +60,10 @@ class LoopJacobian:
             [_reach(design, joint.child, joint.hinge.points) for joint in forest.joints]
         )
         self._lengths = np.array([joint.hinge.length for joint in forest.joints])
+        self._joined = np.array([[self._place[name] for name in hinge.patches] for hinge in forest.loops]).reshape(
+            -1, 2
+        )
+        self._ends = np.array([hinge.points for hinge in forest.loops]).reshape(-1, 2, 3)
         self._paths = self._loop_paths()
         self.groups = self._groups()
 
@@ -95,14 +99,10 @@ class LoopJacobian:
         matrix[:, entries.row, entries.column] = swing.reshape(count, len(entries.row), 6)
         return np.swapaxes(matrix, 2, 3).reshape(count, 6 * len(group.loops), len(columns))
 
-    def residual(self, poses: FloatArray, loops: list[int]) -> FloatArray:
-        """Gaps at both ends of each loop hinge, first patch minus second, mm, shape (n, 6 loops)."""
-        hinges = [self._forest.loops[loop] for loop in loops]
-        axes = np.array([hinge.points for hinge in hinges]).reshape(-1, 2, 3)
-        first, second = (
-            transform(poses[:, [self._place[hinge.patches[side]] for hinge in hinges]], axes) for side in (0, 1)
-        )
-        return np.asarray((first - second).reshape(len(poses), 6 * len(loops)))
+    def residual(self, poses: FloatArray) -> FloatArray:
+        """Gaps at both ends of each loop hinge, first patch minus second, mm, shape (n, loops, 6)."""
+        first, second = (transform(poses[:, self._joined[:, side]], self._ends) for side in (0, 1))
+        return np.asarray((first - second).reshape(len(poses), len(self._ends), 6))
 
     def _chain(self, name: str) -> list[int]:
         """Joints from a patch down to its page."""

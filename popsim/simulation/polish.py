@@ -7,6 +7,7 @@ design does not fold: a pose is replaced only where its measured gap becomes sma
 left, only if its loops close. How plates share a greater gap among their hinges is what the integration found.
 """
 
+from collections.abc import Iterator
 from dataclasses import replace
 
 import numpy as np
@@ -38,6 +39,10 @@ BOLDER, MORE_CAREFUL = 0.1, 20.0
 
 STEPS = 40
 """Most Levenberg-Marquardt steps; most poses need three."""
+
+PATIENCE = 6
+"""Steps in which a gap must become half of what it was, or it is left: where loops close, every step but one that
+is undone does as much, even near flat poses."""
 
 
 def polished(rig: Rig, sweep: Sweep) -> Sweep:
@@ -83,41 +88,94 @@ def _polished(rig: Rig, sweep: Sweep, before: FloatArray, frames: IntArray) -> S
 
 
 def _improve(rig: Rig, theta: FloatArray, angles: FloatArray) -> FloatArray:
-    """Joint angles with the loops closed, or the best after STEPS steps, shape (n, j)."""
+    """Joint angles with the loops closed, or the best that were found, shape (n, j).
+
+    Each group of loops goes its own way: its gap answers to its own joints alone.
+    """
     jacobian = LoopJacobian(rig.design, rig.forest)
     axes = np.array([joint.hinge.points[1] - joint.hinge.points[0] for joint in rig.forest.joints])
     scale = np.sign((axes * rig.joint_axes).sum(axis=1)) / jacobian.reach
-    everything = list(range(len(rig.forest.loops)))
-    best, gaps, caution = angles.copy(), np.full(len(theta), np.inf), np.ones(len(theta))
-    poses = np.empty((len(theta), len(rig.design.patches), 4, 4))
-    left = np.arange(len(theta))
-    for _ in range(STEPS):
-        tried = chain_poses(rig, theta[left], angles[left])
-        found = np.abs(jacobian.residual(tried, everything)).max(axis=1)
-        better = found < gaps[left]
-        gained = left[better]
-        best[gained], gaps[gained], poses[gained] = angles[gained], found[better], tried[better]
-        caution[left] *= np.where(better, BOLDER, MORE_CAREFUL)
-        left = left[gaps[left] > DONE * rig.scale]
-        if not len(left):
+    search = _Search(angles, [group for group in jacobian.groups if group.loops], DONE * rig.scale)
+    for number in range(STEPS):
+        frames = search.frames
+        if not len(frames):
             break
-        angles[left] = best[left]
-        for group in jacobian.groups:
-            if group.loops:
-                step = _step(jacobian, poses[left], group, caution[left] / rig.scale)
-                angles[left[:, None], group.columns] += step * scale[group.columns]
-        angles[left] = np.clip(angles[left], *rig.joint_limits)
-    return best
+        poses = chain_poses(rig, theta[frames], search.tried[frames])
+        residual = jacobian.residual(poses)
+        undone = search.take(frames, residual)
+        poses[undone] = chain_poses(rig, theta[frames[undone]], search.tried[frames[undone]])
+        residual[undone] = jacobian.residual(poses[undone])
+        if number % PATIENCE == 0:
+            search.give_up()
+        for rows, place, group in search.open_groups(frames):
+            matrix, gap = jacobian.matrix(poses[rows], group), residual[rows][:, group.loops]
+            step = _step(matrix, gap.reshape(len(rows), -1), search.caution[frames[rows], place] / rig.scale)
+            search.tried[frames[rows, None], group.columns] += step * scale[group.columns]
+        search.tried = np.clip(search.tried, *rig.joint_limits)
+    return search.best
 
 
-def _step(jacobian: LoopJacobian, poses: FloatArray, group: Group, caution: FloatArray) -> FloatArray:
+class _Search:
+    """Joint angles of all frames, (n, j), and how far each of the groups (g) has come.
+
+    Attributes
+    ----------
+    best, tried:
+        Angles with the smallest gaps so far, and those to be tried next, rad.
+    gaps, caution:
+        Largest gap of each group in mm, and the damping of its next step, shape (n, g).
+    """
+
+    def __init__(self, angles: FloatArray, groups: list[Group], done: float) -> None:
+        self.best, self.tried = angles.copy(), angles.copy()
+        shape = (len(angles), len(groups))
+        self.gaps, self.caution = np.full(shape, np.inf), np.ones(shape)
+        self._earlier = np.full(shape, np.inf)
+        self._left = np.ones(shape, dtype=bool)
+        self._groups, self._done = groups, done
+
+    @property
+    def frames(self) -> IntArray:
+        """Positions of the frames in which something is left to close, shape (k,)."""
+        return np.flatnonzero(self._left.any(axis=1))
+
+    def take(self, frames: IntArray, residual: FloatArray) -> IntArray:
+        """Keep what was tried in frames (k,) where its residual (k, l, 6) is smaller, and undo the rest.
+
+        Returns the rows of those in which anything was undone.
+        """
+        found = np.stack([np.abs(residual[:, group.loops]).max(axis=(1, 2)) for group in self._groups], axis=1)
+        left = self._left[frames]
+        better = left & (found < self.gaps[frames])
+        for place, group in enumerate(self._groups):
+            gained = np.ix_(frames[better[:, place]], np.array(group.columns))
+            self.best[gained] = self.tried[gained]
+        self.tried[frames] = self.best[frames]
+        self.gaps[frames] = np.where(better, found, self.gaps[frames])
+        self.caution[frames] *= np.where(better, BOLDER, MORE_CAREFUL)
+        self._left &= self.gaps > self._done
+        return np.flatnonzero((left & ~better).any(axis=1))
+
+    def give_up(self) -> None:
+        """Leave groups whose gap is more than half of what it was when this was last asked."""
+        self._left &= self.gaps < self._earlier / 2
+        self._earlier = self.gaps.copy()
+
+    def open_groups(self, frames: IntArray) -> Iterator[tuple[IntArray, int, Group]]:
+        """Each group with its place, and the rows of frames (k,) in which it is left to close."""
+        for place, group in enumerate(self._groups):
+            rows = np.flatnonzero(self._left[frames, place])
+            if len(rows):
+                yield rows, place, group
+
+
+def _step(matrix: FloatArray, gap: FloatArray, caution: FloatArray) -> FloatArray:
     """Step of the joints of one group, in mm at the far end of their patches, shape (n, c).
 
-    Damping is `caution` (n,), 1/mm, times the gap: that keeps the convergence fast where the Jacobian drops rank.
+    From its matrix (n, r, c) and gap (n, r). Damping is `caution` (n,), 1/mm, times the gap: that keeps the
+    convergence fast where the Jacobian drops rank.
     """
-    matrix = jacobian.matrix(poses, group)
-    gap = jacobian.residual(poses, group.loops)
     damping = caution * np.linalg.norm(gap, axis=1) + FLOOR
     across = np.swapaxes(matrix, 1, 2)
-    normal = across @ matrix + damping[:, None, None] * np.eye(len(group.columns))
+    normal = across @ matrix + damping[:, None, None] * np.eye(matrix.shape[2])
     return np.asarray(-np.linalg.solve(normal, across @ gap[..., None])[..., 0])

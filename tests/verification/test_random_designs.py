@@ -7,6 +7,7 @@ import pytest
 from oracles.crossing import crossings
 
 from popsim.design import dump_design, parse_design
+from popsim.design.rules import check_rules
 from popsim.errors import InputError
 from popsim.mechanisms import MECHANISMS
 from popsim.validity import examine
@@ -75,6 +76,29 @@ def test_some_patches_have_notches_and_windows() -> None:
     assert any(
         len(polygon.exterior.coords) > 5 and polygon.convex_hull.area > polygon.area for polygon in polygons
     )
+
+
+def test_some_plates_inside_rise_as_fins_through_slits() -> None:
+    drawn = [random_design(seed, mechanisms=(1, 6)) for seed in range(40)]
+    risen, slits = 0, 0
+    for design in (each.design for each in drawn if not each.note.endswith(" 0 fins")):
+        check_rules(design)
+        theory = examine(design)
+        assert theory.holds
+        inside = {
+            f"{name}.{plate.role}"
+            for name, mechanism in theory.mechanisms.items()
+            for plate in mechanism.plates()
+            if not plate.principal
+        }
+        for name in inside:
+            ridges = [hinge.points[:, 2].max() for hinge in design.hinges_by_patch[name]]
+            if design.patch_by_id[name].points[:, 2].max() > max(ridges) + 1:
+                risen += 1
+                tops = {hinge.other(name) for hinge in design.hinges_by_patch[name]} - {"G", "B"}
+                slits += any(len(design.patch_by_id[top].points) > 4 for top in tops)
+    assert risen >= 5
+    assert slits == risen
 
 
 def test_number_of_mechanisms_keeps_to_its_limits() -> None:

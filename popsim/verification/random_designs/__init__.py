@@ -12,6 +12,7 @@ from popsim.design import Design
 from popsim.errors import InputError
 from popsim.mechanisms import assemble
 from popsim.verification.random_designs.contours import random_shapes, reshaped
+from popsim.verification.random_designs.fins import random_fins
 from popsim.verification.random_designs.flaws import FLAWS, Flaw
 from popsim.verification.random_designs.growth import Limits, grow
 
@@ -65,9 +66,12 @@ def random_design(
     rng = np.random.default_rng(seed)
     if breaking is None:
         growth = grow(rng, limits)
-        shapes = random_shapes(rng, growth.parts) if rng.random() < CONTOURED else {}
-        note = f"valid, {len(growth.parts)} mechanisms, {len(shapes)} contours"
-        return RandomDesign(reshaped(assemble(growth.card, growth.parts, checked=False), shapes), None, note)
+        contoured = rng.random() < CONTOURED
+        fins = random_fins(rng, growth.parts, growth.card) if contoured else {}
+        shapes = random_shapes(rng, growth.parts, fins) if contoured else {}
+        note = f"valid, {len(growth.parts)} mechanisms, {len(shapes)} contours, {len(fins) // 2} fins"
+        design = assemble(growth.card, growth.parts, fins, checked=False)
+        return RandomDesign(reshaped(design, shapes), None, note)
     if breaking not in FLAWS:
         raise InputError(f"there is no flaw {breaking!r}; choose one of {', '.join(FLAWS)}")
     flaw = FLAWS[breaking]

@@ -1,6 +1,6 @@
 """Random contours: notches and windows, the non-convex patches with holes that models give."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 
 import numpy as np
 from numpy.random import Generator
@@ -24,9 +24,14 @@ ON_LINE = 1e-6
 """mm; an edge nearer than this to the line of a hinge carries it."""
 
 
-def random_shapes(rng: Generator, mechanisms: Sequence[Mechanism]) -> dict[str, Shape]:
-    """Shapes for some patches, by id; hinges keep their whole length and nothing grows beyond its face."""
-    bases = {name for mechanism in mechanisms for name in mechanism.pair.patches}
+def random_shapes(
+    rng: Generator, mechanisms: Sequence[Mechanism], shaped: Collection[str] = ()
+) -> dict[str, Shape]:
+    """Shapes for some patches but those `shaped` before, by id.
+
+    Hinges keep their whole length and nothing grows beyond its face.
+    """
+    bases = {*shaped, *(name for mechanism in mechanisms for name in mechanism.pair.patches)}
     shapes = {}
     for mechanism in mechanisms:
         for plate in mechanism.plates():
