@@ -9,7 +9,7 @@ from popsim.rendering.camera import Camera
 from popsim.rendering.frame import Frame
 from popsim.rendering.ray_scene import RayScene
 
-BESIDE = 2.5  # times the height of the scene: farther beside it shadows are too faint to be seen
+BESIDE = 2.5  # times the height of the scene over the floor: farther beside it shadows are too faint to be seen
 RIM = 0.05  # times its size: what is flat has a shadow as well
 UP = np.array([0.0, 0.0, 1.0], dtype=np.float32)
 
@@ -25,7 +25,7 @@ def with_floor(frame: Frame, scene: RayScene, camera: Camera, height: float) -> 
     falling = directions[:, 2] < 0
     along = np.divide(height - origins[:, 2], directions[:, 2], out=np.full(len(empty), -1.0), where=falling)
     points = origins + along[:, None] * directions
-    kept = np.flatnonzero((along > 0) & _near(points, scene))
+    kept = np.flatnonzero((along > 0) & _near(points, scene, height))
     point, normal, pixel = (np.array(image) for image in (frame.point, frame.normal, frame.pixel))
     at = empty[kept]
     point.reshape(-1, 3)[at] = points[kept] - camera.target
@@ -34,9 +34,9 @@ def with_floor(frame: Frame, scene: RayScene, camera: Camera, height: float) -> 
     return replace(frame, point=point, normal=normal, pixel=pixel)
 
 
-def _near(points: FloatArray, scene: RayScene) -> BoolArray:
+def _near(points: FloatArray, scene: RayScene, height: float) -> BoolArray:
     """Which points (n, 3) of the floor shadows may fall on."""
     low, high = scene.surface.bounds
-    reach = BESIDE * (high[2] - low[2]) + RIM * scene.size
+    reach = BESIDE * max(high[2] - height, 0.0) + RIM * scene.size
     beside = [np.maximum(low[k] - points[:, k], points[:, k] - high[k]).clip(0.0) for k in (0, 1)]
     return np.asarray(np.hypot(*beside) < reach)
