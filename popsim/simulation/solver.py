@@ -52,6 +52,10 @@ END_DEGREES = 3.0
 BRISK = Pacing(steps=1, end_steps=5, settle=2, end_settle=3, damping=0.1, impedance=0.9999)
 """For designs whose loops can close; those that fold do so to below 0.0001 mm."""
 
+STEADY = Pacing(steps=2, end_steps=10, settle=2, end_settle=6, damping=1.0, impedance=0.9999)
+"""For designs that BRISK flings about although their loops can close: it tears one in thousands, where the closed
+card begins to open."""
+
 PATIENT = Pacing(steps=2, end_steps=20, settle=4, end_settle=10, damping=500.0, impedance=0.99)
 """For designs in which a gap is left: damped, so that loops that cannot close reach the best compromise instead of
 flinging the plates about."""
