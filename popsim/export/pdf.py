@@ -34,8 +34,10 @@ def write_pdf(job: Job, path: Path) -> tuple[Path, ...]:
 
 def write_pages(pages: tuple[Sheet, ...], path: Path, *, style: Style, texture_root: Path, title: str) -> None:
     """Write pages of any drawing into one file; the same pages give the same bytes."""
+    from reportlab import rl_config
     from reportlab.pdfgen.canvas import Canvas
 
+    rl_config.useA85 = 0  # bytes as they are: letters for them take a quarter more, and most of the time
     _register_fonts()
     canvas = Canvas(str(path), invariant=1, pageCompression=1, initialFontName="Helvetica")
     canvas.setTitle(title)

@@ -31,6 +31,8 @@ def read_texture(root: Path, name: str) -> "Image":
     path = root / name
     try:
         with Pillow.open(path) as image:
+            if image.mode == "RGB":
+                return image.copy()
             clear = image.convert("RGBA")
     except FileNotFoundError:
         raise InputError(f"texture {path} does not exist; keep the textures beside the design") from None
@@ -44,10 +46,21 @@ def read_texture(root: Path, name: str) -> "Image":
 def packed_texture(root: Path, name: str) -> tuple[bytes, str]:
     """Bytes of the image and their format, "PNG" or, for photographs, "JPEG"; errors as :func:`read_texture`."""
     image = read_texture(root, name)
-    exact = BytesIO()
-    image.save(exact, "PNG")
-    if exact.tell() <= LARGE:
-        return exact.getvalue(), "PNG"
+    exact = _exact(root / name, image)
+    if len(exact) <= LARGE:
+        return exact, "PNG"
     small = BytesIO()
     image.save(small, "JPEG", quality=QUALITY, subsampling=0)
-    return (small.getvalue(), "JPEG") if small.tell() < exact.tell() / 2 else (exact.getvalue(), "PNG")
+    return (small.getvalue(), "JPEG") if small.tell() < len(exact) / 2 else (exact, "PNG")
+
+
+def _exact(path: Path, image: "Image") -> bytes:
+    """The image as PNG: its own file where that is one and nothing in it is transparent."""
+    from PIL import Image as Pillow
+
+    with Pillow.open(path) as stored:
+        if stored.format == "PNG" and stored.mode == "RGB":
+            return path.read_bytes()
+    packed = BytesIO()
+    image.save(packed, "PNG")
+    return packed.getvalue()
