@@ -53,6 +53,8 @@ class Painted:
     coverage:
         Share of the principal faces of each mechanism on which the model shows, 0..1, by mechanism id: what is
         far below 1 stands for little of the model.
+    fins:
+        Ids of the patches inside that rise through slits: both of their sides are seen, one is printed.
     """
 
     shapes: Mapping[str, Shape]
@@ -62,6 +64,7 @@ class Painted:
     cut_length: float
     vertices: int
     coverage: Mapping[str, float]
+    fins: tuple[str, ...] = ()
 
 
 def paint(
@@ -115,6 +118,9 @@ def paint_cut(found: Cut, scene: RayScene, settings: PatchSettings, *, prints: b
         cut_length=float(sum(outline.length for outline in outlines.values())),
         vertices=sum(len(s.outline) + sum(len(hole) for hole in s.holes) for s in shapes.values()),
         coverage=found.coverage,
+        fins=tuple(
+            name for name, each in pieces.items() if not each.plate.principal and found.overhang[name] > SEEN
+        ),
     )
 
 

@@ -7,6 +7,7 @@ from popsim.design import Source
 from popsim.pipeline.folder import REPORT, fill_folder
 from popsim.pipeline.prints import write_prints
 from popsim.pipeline.report import report_of
+from popsim.pipeline.review import bare_sides
 from popsim.pipeline.run import DesignRun
 from popsim.pipeline.wishes import wishes_text
 
@@ -46,7 +47,14 @@ def _fill(run: DesignRun, folder: Path, command: str, footer: str) -> list[Path]
         title = run.prepared.model.path.stem
         sweep = run.verdict.evidence.sweep
         planned, prints = write_prints(
-            run.design, sweep, folder, run.settings, name=title, footer=footer, banner=banner
+            run.design,
+            sweep,
+            folder,
+            run.settings,
+            name=title,
+            footer=footer,
+            banner=banner,
+            checks=bare_sides(run.painted.fins, run.settings.patches.reverse),
         )
         made += prints
     (folder / WISHES).write_text(_wishes(run, command))

@@ -10,7 +10,7 @@ from popsim.patches import Painted
 from popsim.patches.popup_surface import popup_surface
 from popsim.pipeline.abstract import abstract
 from popsim.pipeline.prepare import Prepared, prepare
-from popsim.pipeline.review import doubts, leftovers, overhang
+from popsim.pipeline.review import bare_sides, doubts, leftovers, overhang
 from popsim.pipeline.settings import RunSettings
 from popsim.pipeline.sizing import sized
 from popsim.verification import Verdict, verify
@@ -86,6 +86,7 @@ def run_design(
     paper = popup_surface(_plain(design), {}, pages=False)
     notes += overhang(prepared.scene, prepared.bounds, fit.mechanisms)
     notes += leftovers(prepared.scene, paper, prepared.longest)
+    notes += bare_sides(painted.fins, settings.patches.reverse)
     notes += settings.fit.wishes.unmet(fit.mechanisms)
     return DesignRun(settings, prepared, fit, painted, design, verdict, tuple(notes), doubtful)
 

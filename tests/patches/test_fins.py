@@ -11,6 +11,7 @@ from popsim.mechanisms.box_fold import BoxFold, Top
 from popsim.mechanisms.tent_fold import TentFold
 from popsim.patches import PatchSettings, paint
 from popsim.patches.slits import WIDTH
+from popsim.pipeline.review import bare_sides
 from popsim.verification import verify
 
 CARD = Card(x=(-200, 200), depth=250)
@@ -45,6 +46,14 @@ def test_it_is_printed_and_the_hidden_backbone_is_not():
     frame = made.shapes["M1.C"].texture_frame
     assert frame is not None and frame.origin[2] > 35
     assert painted().shapes["M1.C"].texture is None
+
+
+def test_fins_are_told_because_one_of_their_sides_stays_bare():
+    assert painted(MAST).fins == ("M1.C",)
+    assert painted().fins == ()
+    (told,) = bare_sides(("M1.C",), None)
+    assert "M1.C" in told and "both sides" in told and "white" in told
+    assert "#202020" in bare_sides(("M1.C",), "#202020")[0]
 
 
 def test_it_folds_with_all_its_hinges():
