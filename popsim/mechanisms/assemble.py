@@ -15,6 +15,7 @@ from popsim.geometry.arrays import FloatArray
 from popsim.geometry.plane import area_vector
 from popsim.mechanisms.attach import held_stretches, lie_apart
 from popsim.mechanisms.base import Mechanism, Plate
+from popsim.mechanisms.company import plates_of
 
 DECIMALS = 9
 """Coordinates are written to a picometre: beyond what matters, and the same on every machine."""
@@ -73,7 +74,7 @@ def assemble(
     parts = list(mechanisms)
     patches, hinges = _pages(card, shapes)
     for mechanism in parts:
-        patches += [_patch(mechanism, plate, shapes) for plate in mechanism.plates()]
+        patches += [_patch(mechanism, plate, shapes) for plate in plates_of(mechanism)]
     hinges += _hinges(parts, {patch.id: patch for patch in patches}, shapes)
     records = tuple(_record(mechanism) for mechanism in parts)
     design = Design(card=card, patches=tuple(patches), hinges=tuple(hinges), mechanisms=records, **extra)
@@ -177,7 +178,7 @@ def _record(mechanism: Mechanism) -> MechanismRecord:
         id=mechanism.id,
         type=mechanism.type,
         base=mechanism.pair.patches,
-        patches=tuple(mechanism.patch_id(plate.role) for plate in mechanism.plates()),
+        patches=tuple(mechanism.patch_id(plate.role) for plate in plates_of(mechanism)),
         parameters=json.loads(json.dumps(mechanism.parameters())),
         closing_range=(float(low), float(high)),
     )
