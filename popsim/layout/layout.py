@@ -10,6 +10,7 @@ from popsim.layout.flap import Flap
 from popsim.layout.flaps import InTheWay
 from popsim.layout.joints import Joint, find_joints
 from popsim.layout.nesting import nest
+from popsim.layout.opening import Laid, with_opened_folds
 from popsim.layout.paper import Paper, find_paper
 from popsim.layout.parts import Part
 from popsim.layout.pieces import Piece, make_pieces
@@ -104,20 +105,22 @@ def lay_out(
     listed = cut_back(divide(design, paper, settings), design, settings.stock.thickness if settings.stock else 0.0)
     parts = {part.id: part for part in listed}
     joints = find_joints(design, listed)
-    nets, flaps = plan_pieces(listed, joints, room, settings, in_the_way)
-    pieces = make_pieces(parts, nets, flaps)
-    return Layout(paper, settings, parts, joints, pieces, _numbers(joints, flaps), _place(pieces, paper, settings))
+
+    def plan(barred: frozenset[str]) -> Laid:
+        nets, flaps = plan_pieces(listed, joints, room, settings, in_the_way, barred)
+        pieces = make_pieces(parts, nets, flaps)
+        shapes, names = [piece.outline for piece in pieces], [piece.name for piece in pieces]
+        return Laid(nets, flaps, pieces, tuple(nest(shapes, names, room, settings.apart, settings.grain)))
+
+    laid = with_opened_folds(plan, parts, room, settings)
+    corner = flat_motion(0.0, settings.corner(paper))
+    placements = tuple(
+        Placement(piece, place.sheet, corner @ place.motion)
+        for piece, place in zip(laid.pieces, laid.places, strict=True)
+    )
+    return Layout(paper, settings, parts, joints, laid.pieces, _numbers(joints, laid.flaps), placements)
 
 
 def _numbers(joints: tuple[Joint, ...], flaps: tuple[Flap, ...]) -> dict[str, int]:
     glued = {flap.joint.id for flap in flaps}
     return {joint.id: k for k, joint in enumerate((j for j in joints if j.id in glued), 1)}
-
-
-def _place(pieces: tuple[Piece, ...], paper: Paper, settings: LayoutSettings) -> tuple[Placement, ...]:
-    names = [piece.name for piece in pieces]
-    places = nest([piece.outline for piece in pieces], names, settings.area(paper), settings.apart, settings.grain)
-    corner = flat_motion(0.0, settings.corner(paper))
-    return tuple(
-        Placement(piece, place.sheet, corner @ place.motion) for piece, place in zip(pieces, places, strict=True)
-    )

@@ -50,6 +50,30 @@ SMALLEST_SHARE = 0.4
 """In a random order a piece counts as this share of its size at least: large ones still go early."""
 
 
+class Waste(NamedTuple):
+    """What a nesting wastes; less is better.
+
+    Attributes
+    ----------
+    sheets:
+        Their number.
+    lacking:
+        What all but the last lack to be well filled, in sheets.
+    last:
+        How full the emptiest is, 0..1.
+    even:
+        How evenly the others are filled, negative.
+    emptiest:
+        Indices of the last sheet and of those that are not well filled.
+    """
+
+    sheets: int
+    lacking: float
+    last: float
+    even: float
+    emptiest: tuple[int, ...]
+
+
 class Place(NamedTuple):
     """Where a shape goes: index of the sheet, flat motion (3, 3) into the area's coordinates."""
 
@@ -93,6 +117,26 @@ def nest(
     return _emptiest_last(best, shapes)
 
 
+def estimate(shapes: list["Polygon"], room: tuple[float, float], gap: float, grain: bool) -> Waste | None:
+    """What these shapes would about waste, by a few orders on coarse rasters; None where one does not fit."""
+    angles = [_angles(shape, room, grain) for shape in shapes]
+    if not all(angles):
+        return None
+    bench = _Bench(shapes, angles, room, gap)
+    return min(bench.waste(bench.filling(COARSE, order)) for order in islice(_orders(shapes), FIRST))
+
+
+def waste_of(shapes: list["Polygon"], places: list[Place], room: tuple[float, float]) -> Waste:
+    """What a nesting wastes of an area of this width and height, mm."""
+    filled = _filled(places, shapes) / (room[0] * room[1])
+    rank = np.argsort(filled, kind="stable")
+    lacking = np.maximum(WELL_FILLED - filled[rank[1:]], 0.0)
+    emptiest = tuple(int(k) for k in (*rank[:1], *rank[1:][lacking > 0]))
+    return Waste(
+        len(filled), float(lacking.sum()), float(filled.min(initial=1.0)), -float((filled**2).sum()), emptiest
+    )
+
+
 def _orders(shapes: list["Polygon"]) -> Iterator[tuple[int, ...]]:
     """Orders in which the shapes are placed, each once: by each measure, then by sizes varied at random."""
     random, seen = Random(0), set()
@@ -116,17 +160,15 @@ class _Bench:
         self.turns = cache(self._turns)
         self.filling = cache(self._filling)
 
-    def waste(self, places: list[Place]) -> tuple[float, ...]:
-        """Less is better: sheets, what all but the last lack, what lies on the last, how even the others are."""
-        filled = np.sort(_filled(places, self.shapes) / (self.room[0] * self.room[1]))
-        lacking = np.maximum(WELL_FILLED - filled[1:], 0.0).sum()
-        return len(filled), float(lacking), float(filled[0]), -float((filled**2).sum())
+    def waste(self, places: list[Place]) -> Waste:
+        """What a filling wastes."""
+        return waste_of(self.shapes, places, self.room)
 
     def suffices(self, places: list[Place]) -> bool:
         """Whether other orders could neither save a sheet nor fill one that is not well filled."""
-        sheets, lacking, *_ = self.waste(places)
+        waste = self.waste(places)
         area = sum(shape.area for shape in self.shapes)
-        return not lacking and sheets <= ceil(area / (DENSE * self.room[0] * self.room[1]))
+        return not waste.lacking and waste.sheets <= ceil(area / (DENSE * self.room[0] * self.room[1]))
 
     def _turns(self, cell: float) -> list[Turns]:
         grid = Grid.over(self.room, self.gap, cell)

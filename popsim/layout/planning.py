@@ -22,10 +22,12 @@ def plan_pieces(
     room: tuple[float, float],
     settings: LayoutSettings,
     in_the_way: InTheWay,
+    barred: frozenset[str] = frozenset(),
 ) -> tuple[tuple[Net, ...], tuple[Flap, ...]]:
     """Return nets and the flaps of all joints that are no folds of them.
 
-    `in_the_way` is asked where flaps would be in the way of anything that a layout does not know of.
+    `in_the_way` is asked where flaps would be in the way of anything that a layout does not know of; joints whose
+    ids are `barred` become no folds.
 
     Raises
     ------
@@ -33,7 +35,6 @@ def plan_pieces(
         A joint has room for a flap on neither side, whatever is opened.
     """
     parts = {part.id: part for part in listed}
-    barred: frozenset[str] = frozenset()
     for _ in range(ROUNDS):
         nets = find_nets(listed, joints, room, 2 * settings.flap_depth, barred)
         flaps, left = plan_flaps(parts, joints, nets, settings, in_the_way)
