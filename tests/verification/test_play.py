@@ -4,12 +4,15 @@ import json
 
 import numpy as np
 import pytest
-from folding_designs import mismatched_box, plain_box, slanted_box
+from folding_designs import CARD, CARD_PAIR, mismatched_box, plain_box, slanted_box
 from scipy.optimize import brentq, minimize_scalar
 
 from popsim.geometry.rigid import transform
+from popsim.mechanisms import assemble
+from popsim.mechanisms.box_fold import BoxFold
 from popsim.simulation import fold_design
 from popsim.verification import Settings, verify
+from popsim.verification.random_designs.spoil import spoil
 
 COARSE = Settings(angles=90)
 
@@ -111,6 +114,27 @@ def test_lengths_that_miss_by_a_tenth_pass_within_play_and_no_edge_is_blamed():
     assert verdict.play.needed == pytest.approx(0.1, abs=0.001)
     (note,) = [note for note in verdict.notes if "play" in note]
     assert "lengths around it do not add up" in note and "slant" not in note
+
+
+@pytest.mark.parametrize("excess", [-0.1, -0.05, 0.02, 0.15])
+def test_parallel_sides_need_as_much_play_as_they_miss_the_condition_by(excess):
+    """Sec. 3.3.1: all of it at the closed card, where everything has to lie in one plane."""
+    verdict = verify(mismatched_box(excess), COARSE)
+    assert verdict.play.needed == pytest.approx(abs(excess), rel=0.02)
+    assert np.degrees(verdict.play.theta) < 2
+
+
+def test_a_backbone_that_is_too_long_buckles_by_the_root_of_it_near_the_closed_card():
+    """Plates that do not push each other are told to cross there: refused on the safe side."""
+    box = BoxFold.plain("M", CARD_PAIR, 40, 20, (-40, 40))
+    (ridge,) = box.faults()
+    depth = {}
+    for excess in (0.05, 0.2):
+        verdict = verify(spoil(assemble(CARD, [box]), box, ridge, -excess), COARSE)
+        assert verdict.finding("foldable").simulation and not verdict.passed
+        depth[excess] = verdict.finding("clear").worst.value
+        assert verdict.evidence.contacts[0].first < np.radians(10)
+    assert depth[0.2] / depth[0.05] == pytest.approx(2, rel=0.4)
 
 
 def test_what_folds_rigidly_needs_no_play():
