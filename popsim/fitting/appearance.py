@@ -16,7 +16,7 @@ from popsim.fitting.fronts import Fronts
 from popsim.fitting.views import Views
 from popsim.geometry.arrays import BoolArray, FloatArray
 from popsim.geometry.plane import Plane
-from popsim.mechanisms import Mechanism, Plate, plates_together
+from popsim.mechanisms import AS_THEY_ARE, Depths, Mechanism, Plate, plates_together
 
 if TYPE_CHECKING:
     from popsim.rendering.ray_scene import RayScene
@@ -29,6 +29,9 @@ REMEMBERED = 4000
 
 SPARSE = 0.25
 """A face on which the model shows on less than this share stays whole: its hinges need paper to hold."""
+
+GRAIN = 0.008
+"""Share of the diagonal up to about which parts of a plate hang together."""
 
 OUTLINE, DEPTH = 2 / 3, 1 / 3
 """Weights of silhouette and relief: an outline that is wrong is seen first."""
@@ -62,12 +65,13 @@ class Appearance:
         self.views = Views.of(bounds)
         self.known: dict[bytes, tuple[FloatArray, FloatArray]] = {}
 
-    def likeness(self, mechanisms: Sequence[Mechanism]) -> Likeness:
-        """Compare mechanisms with the model."""
-        pictures = [self._picture(plate) for own in plates_together(mechanisms).values() for plate in own]
+    def likeness(self, mechanisms: Sequence[Mechanism], depths: Depths = AS_THEY_ARE) -> Likeness:
+        """Compare mechanisms with the model, with factors on the depths of their plates."""
+        plates = plates_together(mechanisms, depths).values()
+        pictures = [self._picture(plate) for own in plates for plate in own]
         depth = np.full(self._model_depth.size, np.inf, dtype=np.float32)
-        pixels, depths = (np.concatenate([picture[k] for picture in pictures]) for k in (0, 1))
-        np.minimum.at(depth, pixels, depths)
+        pixels, ahead = (np.concatenate([picture[k] for picture in pictures]) for k in (0, 1))
+        np.minimum.at(depth, pixels, ahead)
         model, shown = self._model_depth, np.isfinite(depth).reshape(self.views.shape)
         seen = np.isfinite(model)
         both, union = shown & seen, (shown | seen).sum(axis=1)
@@ -104,6 +108,15 @@ class Appearance:
     def _drawn(self, plate: Plate, room: FloatArray) -> tuple[FloatArray, FloatArray]:
         plane = Plane.through(plate.outline)
         pixels, points, depth = self.views.cast(np.concatenate([plate.outline, room]), plane.normal)
+        face, beyond = self._shown(plate, plane, points)
+        if beyond.any():
+            beyond &= self._attached(plate, plane, plane.flat(points))
+        shown = face | beyond
+        return pixels[shown].astype(np.int32), depth[shown].astype(np.float32)
+
+    def _shown(self, plate: Plate, plane: Plane, points: FloatArray) -> tuple[BoolArray, BoolArray]:
+        """At which points (n, 3) of its plane a plate shows the model within its face, and beyond it."""
+        assert plate.room is not None  # plates give themselves room
         behind = self._fronts.behind(points, plate.outward)
         flat = plane.flat(points)
         face = _within(flat, plane.flat(plate.outline))
@@ -113,8 +126,22 @@ class Appearance:
         beside = behind <= plate.beside
         if not plate.principal:
             beside &= self._fronts.behind(points, -plate.outward) <= plate.beside
-        shown |= beside & _within(flat, plane.flat(room))
-        return pixels[shown].astype(np.int32), depth[shown].astype(np.float32)
+        return shown, beside & ~face & _within(flat, plane.flat(plate.room))
+
+    def _attached(self, plate: Plate, plane: Plane, flat: FloatArray) -> BoolArray:
+        """At which points (n, 2) of its plane what a plate would show hangs together with its face."""
+        from scipy.ndimage import binary_dilation, label
+
+        assert plate.room is not None  # plates give themselves room
+        corners = plane.flat(np.concatenate([plate.outline, plate.room]))
+        low, grain = corners.min(axis=0), GRAIN * self.views.diagonal
+        shape = np.ceil((corners.max(axis=0) - low) / grain).astype(np.int64) + 1
+        cells = np.stack(np.meshgrid(*map(np.arange, shape), indexing="ij"), axis=-1).reshape(-1, 2)
+        face, beyond = self._shown(plate, plane, plane.lift(low + (cells + 0.5) * grain))
+        parts, _ = label(binary_dilation((face | beyond).reshape(shape)))
+        joined = np.unique(parts[face.reshape(shape)])
+        x, y = np.clip(((flat - low) / grain).astype(np.int64), 0, shape - 1).T
+        return np.isin(parts[x, y], joined)
 
 
 def _within(points: FloatArray, ring: FloatArray) -> BoolArray:

@@ -1,15 +1,15 @@
 """A set of primitives on base patch pairs, and the mechanisms they stand for."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 from popsim.design import Card
 from popsim.errors import GeometryError
-from popsim.fitting.knobs import settled, thinnest
+from popsim.fitting.knobs import knobs, settled, thinnest
 from popsim.fitting.mapping import mappings
 from popsim.fitting.wishes import Wishes
-from popsim.mechanisms import BasePatchPair, Mechanism, Primitive, card_pair, plates_of
+from popsim.mechanisms import BasePatchPair, Depths, Mechanism, Primitive, card_pair, plates_of
 from popsim.validity import faces_clear
 
 
@@ -17,13 +17,15 @@ from popsim.validity import faces_clear
 class Node:
     """A primitive, the pair it stands on, and the node that offers the pair (None: the card).
 
-    `kept` is its mechanism where the user keeps it as it is; else the primitive is mapped to one.
+    `kept` is its mechanism where the user keeps it as it is; else the primitive is mapped to one. `depths` are the
+    factors on the depths of its plates (see :func:`popsim.mechanisms.plates_together`), by role.
     """
 
     primitive: Primitive
     pair: BasePatchPair
     parent: int | None
     kept: Mechanism | None = None
+    depths: tuple[tuple[str, tuple[float, float]], ...] = ()
 
 
 @dataclass(frozen=True)
@@ -49,6 +51,12 @@ class Candidate:
             offered += [(pair, index) for pair in mechanism.pairs()]
         return offered
 
+    @cached_property
+    def depths(self) -> Depths:
+        """Factors on the depths of plates, by patch id."""
+        both = zip(self.nodes, self.mechanisms, strict=True)
+        return {own.patch_id(role): factors for node, own in both for role, factors in node.depths}
+
     def holds(self) -> bool:
         """Whether all conditions of the theory hold."""
         return faces_clear(self.mechanisms)
@@ -64,8 +72,15 @@ class Candidate:
         """
         if self.nodes[index].kept is not None:
             return None
-        changed = Node(primitive, self.nodes[index].pair, self.nodes[index].parent)
+        old = self.nodes[index]
+        alike = len(knobs(primitive)) == len(knobs(old.primitive))
+        changed = Node(primitive, old.pair, old.parent, depths=old.depths if alike else ())
         return build(self.card, (*self.nodes[:index], changed, *self.nodes[index + 1 :]), self.least, self.wishes)
+
+    def with_depths(self, index: int, depths: Mapping[str, tuple[float, float]]) -> "Candidate":
+        """The candidate with other factors on the depths of a node's plates, by role."""
+        changed = replace(self.nodes[index], depths=tuple(sorted(depths.items())))
+        return replace(self, nodes=(*self.nodes[:index], changed, *self.nodes[index + 1 :]))
 
     def without(self, index: int) -> "Candidate | None":
         """The candidate without a node and all that stands on it, or None where the node is kept."""
@@ -108,7 +123,7 @@ def build(card: Card, nodes: Sequence[Node], least: float, wishes: Wishes | None
         mapped = mappings(primitive, pair, f"M{index + 1}", wishes.allows)
         if not mapped:
             return None
-        done.append(Node(primitive, pair, node.parent))
+        done.append(replace(node, primitive=primitive, pair=pair))
         mechanisms.append(mapped[0].mechanism)
     return Candidate(card, tuple(done), tuple(mechanisms), least, wishes)
 

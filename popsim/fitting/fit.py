@@ -8,6 +8,7 @@ from popsim.design import Card
 from popsim.errors import GeometryError, MeshError
 from popsim.fitting.appearance import Appearance, Likeness
 from popsim.fitting.candidate import Candidate, build
+from popsim.fitting.depths import deepened
 from popsim.fitting.kept import first_candidate
 from popsim.fitting.mapping import error_cover, mappings
 from popsim.fitting.scale import scaled_node
@@ -16,7 +17,7 @@ from popsim.fitting.settings import FitSettings
 from popsim.fitting.snap import Planes
 from popsim.fitting.volume import Volume
 from popsim.geometry.arrays import FloatArray
-from popsim.mechanisms import Mechanism, Primitive
+from popsim.mechanisms import Depths, Mechanism, Primitive
 
 if TYPE_CHECKING:
     from popsim.rendering.ray_scene import RayScene
@@ -67,6 +68,11 @@ class Fit:
     def mechanisms(self) -> tuple[Mechanism, ...]:
         """All mechanisms, bases before what stands on them."""
         return self.candidate.mechanisms
+
+    @property
+    def depths(self) -> Depths:
+        """Factors on the depths of plates, by patch id."""
+        return self.candidate.depths
 
     @property
     def placements(self) -> tuple[Placement, ...]:
@@ -138,18 +144,22 @@ def fit(subject: Subject, settings: FitSettings | None = None) -> Fit:
     def value(candidate: Candidate) -> float:
         if candidate.patches > settings.most_patches:
             return -1.0
-        return appearance.likeness(candidate.mechanisms).overall - settings.patch_likeness * candidate.patches
+        return (
+            appearance.likeness(candidate.mechanisms, candidate.depths).overall
+            - settings.patch_likeness * candidate.patches
+        )
 
     size = float((subject.bounds[1] - subject.bounds[0]).max())
     card = Card(x=(-20 * size, 20 * size), depth=20 * size)
     start = first_candidate(card, THINNEST * size, settings.wishes, settings.most_patches)
     if start.nodes and not settings.wishes.add:
-        return Fit(start, appearance.likeness(start.mechanisms), 0.0)
+        kept = deepened(start, value)
+        return Fit(kept, appearance.likeness(kept.mechanisms, kept.depths), 0.0)
     found = search(start, subject.volume, subject.planes, value, settings)
     if found is None:
         raise MeshError("no part of the model is solid enough for a mechanism; try --detail 1 or another --up")
     best, closed = found
-    return Fit(best, appearance.likeness(best.mechanisms), 2 * closed * subject.volume.cell)
+    return Fit(best, appearance.likeness(best.mechanisms, best.depths), 2 * closed * subject.volume.cell)
 
 
 def _placement(candidate: Candidate, index: int) -> Placement:

@@ -8,7 +8,7 @@ from popsim.mechanisms import BasePatchPair, Primitive, PrismRow
 
 def scaled_node(node: Node, factor: float) -> Node:
     """A node `factor` times as large."""
-    return Node(scaled_primitive(node.primitive, factor), _scaled_pair(node.pair, factor), node.parent)
+    return replace(node, primitive=scaled_primitive(node.primitive, factor), pair=_scaled_pair(node.pair, factor))
 
 
 def scaled_primitive(primitive: Primitive, factor: float) -> Primitive:

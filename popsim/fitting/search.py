@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from popsim.fitting.candidate import Candidate
+from popsim.fitting.depths import deepened
 from popsim.fitting.greedy import Grower, Taste
 from popsim.fitting.refit import Climber, Value
 from popsim.fitting.settings import FitSettings
@@ -75,7 +76,7 @@ def search(
     if not tried:
         return None
     best, closed = max(tried, key=lambda entry: value(entry[0]))
-    return climber.complete(best, LAST_BUDGET), closed
+    return deepened(climber.complete(best, LAST_BUDGET), value), closed
 
 
 def _grown(

@@ -8,7 +8,7 @@ outside a mechanism's own file asks which mechanism it is: a new one is a new fi
 
 from popsim.mechanisms.assemble import Shape, assemble
 from popsim.mechanisms.base import Joint, Mechanism, Plate, Recognition
-from popsim.mechanisms.company import plates_of, plates_together
+from popsim.mechanisms.company import AS_THEY_ARE, Depths, plates_of, plates_together
 from popsim.mechanisms.condition import Condition
 from popsim.mechanisms.fault import Fault
 from popsim.mechanisms.members import Members
@@ -18,9 +18,11 @@ from popsim.mechanisms.registry import MECHANISMS, mechanism_type
 from popsim.mechanisms.room import Room
 
 __all__ = [
+    "AS_THEY_ARE",
     "MECHANISMS",
     "BasePatchPair",
     "Condition",
+    "Depths",
     "Fault",
     "Joint",
     "Mechanism",

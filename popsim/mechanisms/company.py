@@ -1,4 +1,4 @@
-"""Mechanisms together: what stands on one leaves less room to the contours of its plates."""
+"""Mechanisms together: what stands on one or beside it leaves less room to the contours of its plates."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
@@ -8,34 +8,54 @@ import numpy as np
 
 from popsim.geometry.arrays import FloatArray
 from popsim.mechanisms.base import Mechanism, Plate
-from popsim.mechanisms.pair import PairKind
+from popsim.mechanisms.pair import BasePatchPair, PairKind
 
 ALONG = 0.99
 """|cos| of a normal to y above which a plate lies along the fold and upright."""
 
 
-def plates_together(mechanisms: Sequence[Mechanism]) -> dict[str, tuple[Plate, ...]]:
+SWING = 15.0
+"""mm along x that ears swing over while closing."""
+
+Depths = Mapping[str, tuple[float, float]]
+"""Factors on how deep behind its face, and how deep beyond it, the model shows on a patch; by patch id."""
+
+AS_THEY_ARE: Depths = {}
+
+
+def plates_together(mechanisms: Sequence[Mechanism], depths: Depths = AS_THEY_ARE) -> dict[str, tuple[Plate, ...]]:
     """The plates of mechanisms with room for all of them, by mechanism id.
 
     Plates along the fold, sides as well as fins, do not rise over a top in the closing range of what stands on it
-    and on that: it would be in the way, and shows the same of the model.
+    and on that: it would be in the way, and shows the same of the model. Eaves and ears end at the wall of a
+    corner in which another mechanism stands, near to that one.
 
     Parameters
     ----------
     mechanisms:
         Each stands on the card or on an earlier one.
+    depths:
+        How much deeper than by themselves plates show the model.
     """
     ranges = _subtree_ranges(mechanisms)
-    standing: dict[str, list[Mechanism]] = {mechanism.id: [] for mechanism in mechanisms}
+    carried: dict[str | None, list[Mechanism]] = {mechanism.id: [] for mechanism in mechanisms}
     for mechanism in mechanisms:
-        if mechanism.pair.owner in standing and mechanism.pair.kind is PairKind.OPENING:
-            standing[mechanism.pair.owner].append(mechanism)
+        carried.setdefault(mechanism.pair.owner, []).append(mechanism)
+
+    def fitted(plate: Plate, owner: Mechanism) -> Plate:
+        for other in carried[owner.id]:
+            if other.pair.kind is PairKind.CORNER and _near(plate, other):
+                plate = _before(plate, other.pair)
+        if abs(plate.outward[1]) > ALONG:
+            above = [other for other in carried[owner.id] if other.pair.kind is PairKind.OPENING]
+            plate = _below(plate, above, ranges)
+        behind, beside = depths.get(owner.patch_id(plate.role), (1.0, 1.0))
+        if (behind, beside) == (1.0, 1.0):
+            return plate
+        return replace(plate, behind=behind * plate.behind, beside=beside * plate.beside)
+
     return {
-        mechanism.id: tuple(
-            _below(plate, standing[mechanism.id], ranges) if abs(plate.outward[1]) > ALONG else plate
-            for plate in plates_of(mechanism)
-        )
-        for mechanism in mechanisms
+        mechanism.id: tuple(fitted(plate, mechanism) for plate in plates_of(mechanism)) for mechanism in mechanisms
     }
 
 
@@ -71,3 +91,34 @@ def _below(plate: Plate, standing: Sequence[Mechanism], ranges: Mapping[str, tup
     parts = [part for part in getattr(left, "geoms", [left]) if part.intersects(face)]
     ring: FloatArray = np.array(max(parts, key=lambda part: part.area).exterior.coords)[:-1]
     return replace(plate, room=np.column_stack([ring[:, 0], np.full(len(ring), plate.outline[0, 1]), ring[:, 1]]))
+
+
+def _near(plate: Plate, child: Mechanism) -> bool:
+    """Whether a plate stands beside a mechanism along x, or could swing there."""
+    low, high = _along(child)
+    x = plate.outline[:, 0]
+    return bool(x.min() < high + SWING and x.max() > low - SWING)
+
+
+@lru_cache(maxsize=1024)
+def _along(mechanism: Mechanism) -> tuple[float, float]:
+    x = np.concatenate([plate.outline[:, 0] for plate in plates_of(mechanism)])
+    return float(x.min()), float(x.max())
+
+
+@lru_cache(maxsize=4096)
+def _before(plate: Plate, corner: BasePatchPair) -> Plate:
+    """A plate whose room ends at the wall of a corner; unchanged where it lies beyond."""
+    assert plate.room is not None  # plates give themselves room
+    left = corner.u - corner.side.value * plate.room[:, 1]
+    if left.min() >= 0 or left.max() <= 0:
+        return plate
+    ring = []
+    for here, there, a, b in zip(
+        plate.room, np.roll(plate.room, -1, axis=0), left, np.roll(left, -1), strict=True
+    ):
+        if a >= 0:
+            ring.append(here)
+        if a * b < 0:
+            ring.append(here + (there - here) * (a / (a - b)))
+    return replace(plate, room=np.array(ring))

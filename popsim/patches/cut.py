@@ -8,10 +8,9 @@ from typing import TYPE_CHECKING
 
 from popsim.errors import GeometryError
 from popsim.geometry.arrays import FloatArray, locked
-from popsim.mechanisms import Mechanism, plates_together
+from popsim.mechanisms import AS_THEY_ARE, Depths, Mechanism, plates_together
 from popsim.mechanisms.base import FIRST_BASE, SECOND_BASE
 from popsim.patches.clean import common, cuttable, without
-from popsim.patches.corners import clear_corners
 from popsim.patches.crossing import Meeting, uncross
 from popsim.patches.hold import hold
 from popsim.patches.one_piece import finished
@@ -58,14 +57,17 @@ def cut(
     scene: RayScene,
     territories: Mapping[str, FloatArray],
     settings: PatchSettings,
+    depths: Depths = AS_THEY_ARE,
 ) -> Cut:
-    """Cut the patches of mechanisms after the silhouettes of a model; see :func:`popsim.patches.paint.paint`."""
+    """Cut the patches of mechanisms after the silhouettes of a model; see :func:`popsim.patches.paint.paint`.
+
+    `depths` are factors on how deep plates show the model, see :func:`popsim.mechanisms.plates_together`.
+    """
     pieces: dict[str, Piece] = {}
-    plates = plates_together(mechanisms)
+    plates = plates_together(mechanisms, depths)
     for mechanism in mechanisms:
         box = _territory(mechanism, territories)
         pieces |= {piece.id: piece for piece in pieces_of(mechanism, plates[mechanism.id], box, settings)}
-    clear_corners(mechanisms, pieces)
 
     def find(piece: Piece) -> None:
         see(scene, piece, settings)

@@ -15,6 +15,9 @@ NEAR = 4.0
 WORTHY = 20.0
 """mm^2; islands below this are dropped without a bridge, and below its half without a note."""
 
+SEEN_THROUGH = 6.0
+"""mm; a patch inside has no narrower holes."""
+
 BRIDGE = 3.0
 """mm; width of bridges."""
 
@@ -58,12 +61,9 @@ def _joined(main: "Polygon", island: "Polygon", piece: Piece) -> "Polygon":
 
 
 def _without_small_holes(outline: "Polygon", piece: Piece, settings: PatchSettings) -> "Polygon":
-    """`outline` with the holes that can be cut; patches inside have none."""
+    """`outline` with the holes that can be cut; of patches inside only large ones are seen."""
     from shapely.geometry import Polygon
 
-    holes = [ring for ring in outline.interiors if piece.plate.principal and _can_be_cut(Polygon(ring), settings)]
+    width = settings.thinnest if piece.plate.principal else SEEN_THROUGH
+    holes = [ring for ring in outline.interiors if not Polygon(ring).buffer(-width / 2).is_empty]
     return Polygon(outline.exterior, holes)
-
-
-def _can_be_cut(hole: "Polygon", settings: PatchSettings) -> bool:
-    return not hole.buffer(-settings.thinnest / 2).is_empty

@@ -21,6 +21,9 @@ if TYPE_CHECKING:
 LEAST_FIN = 25.0
 """mm^2; smaller fins are not worth a slit."""
 
+LEAST_RISE = 4.0
+"""mm; where a fin rises by less, the hinge stays whole."""
+
 REACH = 1e6
 """mm; beyond any model."""
 
@@ -64,8 +67,9 @@ def _fins(scene: RayScene, piece: Piece, grid: Grid) -> list["Polygon"]:
     beyond = without(piece.room, piece.face)
     if beyond.is_empty:
         return []
-    wanted = common(mask_polygon(_between(scene, piece, grid, piece.plate.beside), grid), beyond)
-    fins = polygons(wanted)
+    mask = _between(scene, piece, grid, piece.plate.beside) & grid.covered(beyond)
+    mask &= mask.sum(axis=0) * grid.pixel >= LEAST_RISE
+    fins = polygons(common(mask_polygon(mask, grid), beyond))
     return [fin for fin in fins if fin.area >= LEAST_FIN and fin.distance(piece.face) <= grid.pixel]
 
 

@@ -39,7 +39,7 @@ class Painter:
         """Patches and design with the patches in `held` kept within their faces, with or without prints."""
         chosen = replace(self.settings, within_face=held)
         if held not in self._cuts:
-            self._cuts[held] = cut(self.fit.mechanisms, self.scene, self.territories, chosen)
+            self._cuts[held] = cut(self.fit.mechanisms, self.scene, self.territories, chosen, self.fit.depths)
         painted = paint_cut(self._cuts[held], self.scene, chosen, prints=prints)
         outlines: dict[str, FloatArray] = {name: shape.outline for name, shape in painted.shapes.items()}
         card = fitting_card(self.fit.mechanisms, outlines, self.page).model_copy(

@@ -48,3 +48,14 @@ def test_the_box_of_a_box_is_all_like_it_and_a_smaller_one_is_less():
     assert right.silhouette > 0.99 and right.relief > 0.99 and right.offset < 0.01
     small = seen.likeness([BoxFold.plain("M1", pair, 20.0, 30.0, (-40.0, 40.0))])
     assert small.silhouette < right.silhouette - 0.1 and small.overall < right.overall
+
+
+def test_what_hangs_in_the_air_beside_a_face_does_not_count():
+    box = BoxFold.plain("M1", card_pair(Card(x=(-300, 300), depth=300)), 30.0, 40.0, (-50.0, 50.0))
+    bounds = np.array([[-50.0, -30.0, 0.0], [50.0, 30.0, 60.0]])
+
+    def with_wall(low, high):
+        scene = RayScene(surface(block(tuple(BOUNDS[0]), tuple(BOUNDS[1])), block((-20, 26, low), (20, 30, high))))
+        return Appearance(scene, bounds).likeness([box]).silhouette
+
+    assert with_wall(40, 60) > with_wall(50, 60) + 0.01

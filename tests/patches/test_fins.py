@@ -61,6 +61,12 @@ def test_it_folds_with_all_its_hinges():
     assert verdict.passed and verdict.grade == "rigid"
 
 
+def test_what_hardly_rises_over_the_hinge_is_no_fin():
+    kerb = coloured_box((-40, -3, 40), (40, 3, 43))
+    fin = painted(kerb, MAST).shapes["M1.C"].outline
+    assert np.sort(fin[fin[:, 2] > 41][:, 0])[[0, -1]] == pytest.approx([-10, 10], abs=0.3)
+
+
 def test_no_fin_takes_the_hinge_it_rises_from():
     short = BoxFold.stepped("M1", card_pair(CARD), 30, (Top(-6, 6, 40),))
     surface = joined(coloured_box((-6, -30, 0), (6, 30, 40)), coloured_box((-6, -3, 40), (6, 3, 75)))

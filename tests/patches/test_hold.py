@@ -144,10 +144,11 @@ def test_nothing_at_all_gives_the_plain_face_with_a_note():
     assert "plain face" in notes[0]
 
 
-def test_holes_are_cut_in_seen_patches_only():
-    holed = box(0, 0, 100, 50).difference(box(20, 20, 30, 30))
-    assert len(finished(piece(holed), SETTINGS)[0].interiors) == 1
-    assert len(finished(piece(holed, principal=False), SETTINGS)[0].interiors) == 0
+def test_patches_inside_have_only_holes_that_are_seen_through():
+    small, large = (box(0, 0, 100, 50).difference(box(20, 20, 20 + side, 20 + side)) for side in (5, 10))
+    assert [len(finished(piece(each), SETTINGS)[0].interiors) for each in (small, large)] == [1, 1]
+    inside = [finished(piece(each, principal=False), SETTINGS)[0] for each in (small, large)]
+    assert [len(outline.interiors) for outline in inside] == [0, 1]
 
 
 def test_no_sliver_is_left_of_a_ragged_outline():

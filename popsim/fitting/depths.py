@@ -1,0 +1,69 @@
+"""How deep behind each plate the model shows on it: what makes the abstraction look most like the model.
+
+Too shallow, a plate loses what slants away from it; too deep, it shows in its own plane what lies far behind.
+"""
+
+from collections.abc import Callable, Iterator, Sequence
+
+import numpy as np
+
+from popsim.fitting.candidate import Candidate
+from popsim.mechanisms import Plate, plates_of
+
+BEHIND = (0.3, 0.6, 1.0, 1.7, 3.0, 6.0)
+"""Factors that are tried on the depth behind faces,"""
+
+BESIDE = (0.0, 0.4, 1.0, 2.0, 4.0, 8.0)
+"""and on that beyond them."""
+
+BETTER = 2e-4
+"""Least gain that counts; below is noise of the pixels."""
+
+AXIS = 0.01
+"""Plates whose normals differ by less face one way."""
+
+
+def deepened(state: Candidate, value: Callable[[Candidate], float]) -> Candidate:
+    """Choose the depths of all plates, those of one axis together first, then those of each plane."""
+    score = value(state)
+    for index in range(len(state.nodes)):
+        for roles in _groups(plates_of(state.mechanisms[index])):
+            for which, factors in enumerate((BEHIND, BESIDE)):
+                for factor in factors:
+                    changed = _changed(state, index, roles, which, factor)
+                    found = value(changed)
+                    if found > score + BETTER:
+                        state, score = changed, found
+    return state
+
+
+def _changed(state: Candidate, index: int, roles: Sequence[str], which: int, factor: float) -> Candidate:
+    """The state with one factor of some plates of a node replaced."""
+    known = dict(state.nodes[index].depths)
+    for role in roles:
+        behind, beside = known.get(role, (1.0, 1.0))
+        known[role] = (factor, beside) if which == 0 else (behind, factor)
+    return state.with_depths(index, known)
+
+
+def _groups(plates: Sequence[Plate]) -> Iterator[list[str]]:
+    """Roles of plates whose depths are chosen together."""
+    seen = set()
+    for same in (_on_one_axis, _in_one_plane):
+        left = list(plates)
+        while left:
+            roles = tuple(plate.role for plate in left if same(left[0], plate))
+            left = [plate for plate in left if plate.role not in roles]
+            if roles not in seen:
+                seen.add(roles)
+                yield list(roles)
+
+
+def _on_one_axis(first: Plate, second: Plate) -> bool:
+    return first.principal == second.principal and bool(abs(first.outward @ second.outward) > 1 - AXIS)
+
+
+def _in_one_plane(first: Plate, second: Plate) -> bool:
+    off = abs(float(first.outward @ (second.outline[0] - first.outline[0])))
+    same = first.principal == second.principal and bool(first.outward @ second.outward > 1 - AXIS)
+    return same and off < AXIS * float(np.ptp(first.outline, axis=0).max())
