@@ -1,18 +1,21 @@
-"""The assembly plan: steps in a feasible order, as data and as text."""
+"""The assembly plan: steps in an order that was executed, as data and as text."""
 
 from dataclasses import dataclass, replace
-from itertools import groupby
+from typing import Any
 
-import numpy as np
-
-from popsim.assembly.flap_motion import flap_motions
-from popsim.assembly.order import gluing_order
-from popsim.assembly.precedence import Precedence
-from popsim.assembly.scene import Scene, flap_key
-from popsim.assembly.step import Step, StepKind
-from popsim.assembly.wording import closing_text, cutting_text, gluing_text
-from popsim.design import BACKDROP_ID, GROUND_ID
+from popsim.assembly.ease import Ease, ease_of
+from popsim.assembly.evidence import Evidence, Folded
+from popsim.assembly.kind import StepKind
+from popsim.assembly.kit import Kit
+from popsim.assembly.proof import Proof
+from popsim.assembly.scene import flap_key
+from popsim.assembly.step import Step
+from popsim.assembly.storyboard import finished, scenes
+from popsim.assembly.unmaking import Order, find_order
+from popsim.assembly.way import Way
+from popsim.assembly.wording import closing_text, cutting_text, folding_text, gluing_text, unproved_text, way_text
 from popsim.layout import Layout
+from popsim.simulation import Sweep
 
 
 @dataclass(frozen=True, eq=False)
@@ -25,16 +28,16 @@ class AssemblyPlan:
         In order.
     order:
         Ids of all glue joints in the order of gluing.
-    before:
-        Pairs of joint ids (first, second): the second must wait for the first.
     layout:
         The layout that was planned, renumbered; draw and export this one.
+    ease:
+        How much there is to do.
     """
 
     steps: tuple[Step, ...]
     order: tuple[str, ...]
-    before: tuple[tuple[str, str], ...]
     layout: Layout
+    ease: Ease
 
     @property
     def text(self) -> str:
@@ -43,45 +46,101 @@ class AssemblyPlan:
         lines += [f"{step.number}. {step.text}" for step in self.steps]
         return "\n".join(lines) + "\n"
 
+    @property
+    def unproved(self) -> tuple[Step, ...]:
+        """Steps for which no way was found; none where the order is feasible."""
+        return tuple(step for step in self.steps if step.evidence is not None and not step.evidence.feasible)
 
-def plan_assembly(layout: Layout) -> AssemblyPlan:
-    """Plan how to put a layout together; see :mod:`popsim.assembly.precedence` for what decides the order."""
-    precedence = Precedence(layout)
-    order = gluing_order(precedence)
+
+def plan_assembly(layout: Layout, sweep: Sweep) -> AssemblyPlan:
+    """Plan how to put a layout together, executing every step.
+
+    Parameters
+    ----------
+    layout:
+        What is put together.
+    sweep:
+        The recorded motion of its design, as :func:`popsim.simulation.fold_design` gives it.
+
+    Returns
+    -------
+    The plan. Joints for which no way was found come last; their steps carry evidence that says why.
+    """
+    kit = Kit(layout, sweep)
+    found = find_order(kit)
+    order = tuple(name for proof in found.proofs for name in proof.joints) + found.left
     numbered = replace(layout, numbers={name: k for k, name in enumerate(order, 1)})
-    steps = [Step(1, StepKind.CUT, tuple(piece.name for piece in layout.pieces), (), cutting_text(numbered))]
-    handled: set[str] = set()
-    for ends, names in groupby(order, key=lambda name: frozenset(precedence.ends[name])):
-        joints = tuple(names)
-        new = [piece.name for piece in layout.pieces if piece.name in ends and piece.name not in handled]
-        pieces = (*new, *(piece.name for piece in layout.pieces if piece.name in ends & handled))
-        before = _standing(layout, handled)
-        handled |= ends
-        steps.append(
-            Step(
-                number=len(steps) + 1,
-                kind=StepKind.LAY if new else StepKind.FOLD,
-                pieces=pieces,
-                joints=joints,
-                text=gluing_text(numbered, new, joints),
-                parts=tuple(part for part, piece in layout.piece_of.items() if piece.name in new),
-                flaps=tuple(flap_key(flap) for flap in layout.flaps if flap.joint.id in joints),
-                before=before,
-                after=_standing(layout, handled),
-            )
+    steps = _Steps(kit, numbered)
+    steps.add(StepKind.CUT, (), cutting_text(numbered), pieces=tuple(piece.name for piece in layout.pieces))
+    for proof in found.proofs:
+        steps.prove(proof)
+    for name in found.left:
+        steps.doubt(name, found)
+    steps.add(StepKind.FINISH, (), closing_text(), before=finished(kit))
+    return AssemblyPlan(tuple(steps.made), order, numbered, ease_of(layout, steps.made))
+
+
+class _Steps:
+    """The steps so far."""
+
+    def __init__(self, kit: Kit, numbered: Layout) -> None:
+        self.made: list[Step] = []
+        self._kit, self._numbered = kit, numbered
+        self._pieces: set[str] = set()
+        self._joints: frozenset[str] = frozenset()
+        self._folded: list[str] = []
+
+    def prove(self, proof: Proof) -> None:
+        """Add a step that was executed; what is only folded over is told with the next one."""
+        layout = self._kit.layout
+        if not proof.joints:
+            self._folded += [piece.name for piece in layout.pieces if not proof.movers.isdisjoint(piece.motions)]
+            return
+        before, after, moved = scenes(self._kit, proof, self._joints)
+        whole = {name for bundle in proof.apart for name in bundle.joints} | set(proof.joints)
+        evidence = Evidence(
+            proof.way.value,
+            True,
+            proof.way.lying,
+            proof.blind,
+            max(len(poses) for poses in proof.motion.values()),
+            proof.degrees,
+            Folded.along(self._kit.reference, proof.motion, sorted(whole)),
         )
-    steps.append(Step(len(steps) + 1, StepKind.FINISH, (), (), closing_text(), before=_standing(layout, handled)))
-    waits = tuple(sorted(precedence.graph.edges))
-    return AssemblyPlan(tuple(steps), order, waits, numbered)
+        kind = StepKind.LAY if proof.way in (Way.LAID, Way.SLID) else StepKind.FOLD
+        words = way_text(proof.way, proof.degrees)
+        if self._folded:
+            words = f"{folding_text(dict.fromkeys(self._folded))} {words}"
+            self._folded.clear()
+        self._glue(kind, proof.joints, evidence, words, before=before, after=after, motion=moved)
 
+    def doubt(self, name: str, order: Order) -> None:
+        """Add a joint for which no way was found."""
+        whole = finished(self._kit)
+        reason = order.refusals.get(name, "what comes before it cannot be made")
+        self._glue(
+            StepKind.LAY, (name,), Evidence(reason, False), unproved_text(reason), before=whole, after=whole
+        )
 
-def _standing(layout: Layout, pieces: set[str]) -> Scene:
-    """Pieces as they stand in the finished pop-up."""
-    parts = {part for part, piece in layout.piece_of.items() if piece.name in pieces}
-    poses = {name: np.eye(4) for name in layout.parts if name in parts}
-    flaps = {
-        key: motion.turned(motion.glued)
-        for key, motion in flap_motions(layout).items()
-        if motion.flap.carrier in parts
-    }
-    return Scene(poses, flaps, np.pi if parts & {GROUND_ID, BACKDROP_ID} else None)
+    def add(self, kind: StepKind, joints: tuple[str, ...], text: str, **more: Any) -> None:
+        """Add a step."""
+        self.made.append(Step(len(self.made) + 1, kind, joints=joints, text=text, **({"pieces": ()} | more)))
+
+    def _glue(self, kind: StepKind, joints: tuple[str, ...], evidence: Evidence, words: str, **more: Any) -> None:
+        layout = self._kit.layout
+        flaps = [flap for name in joints for flap in self._kit.flaps_of[name]]
+        touched = {layout.piece_of[part].name for flap in flaps for part in (flap.carrier, flap.target)}
+        new = [piece.name for piece in layout.pieces if piece.name in touched - self._pieces]
+        old = [piece.name for piece in layout.pieces if piece.name in touched & self._pieces]
+        self._pieces |= touched
+        self._joints |= set(joints)
+        self.add(
+            kind,
+            joints,
+            f"{gluing_text(self._numbered, new, joints)} {words}",
+            pieces=(*new, *old),
+            parts=tuple(part for part, piece in layout.piece_of.items() if piece.name in new),
+            flaps=tuple(flap_key(flap) for flap in flaps),
+            evidence=evidence,
+            **more,
+        )

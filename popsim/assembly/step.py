@@ -2,26 +2,11 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from enum import Enum
 
+from popsim.assembly.evidence import Evidence
+from popsim.assembly.kind import StepKind
 from popsim.assembly.scene import FlapKey, Scene
 from popsim.geometry.arrays import FloatArray
-
-
-class StepKind(Enum):
-    """What is done in a step."""
-
-    CUT = "cut"
-    """Everything is cut out and scored."""
-
-    LAY = "lay"
-    """A free piece, or what was glued before, comes to its place on something else."""
-
-    FOLD = "fold"
-    """Two sides of what is in hand are folded onto each other and glued."""
-
-    FINISH = "finish"
-    """The card is closed for the first time."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,6 +34,8 @@ class Step:
     motion:
         Poses of what moves from `before` to `after`, both ends included, by part id, each of shape (k, 4, 4): for
         arrows. What keeps still is not in it.
+    evidence:
+        What the execution of the step has shown; None where nothing is glued.
     """
 
     number: int
@@ -61,3 +48,4 @@ class Step:
     before: Scene | None = None
     after: Scene | None = None
     motion: Mapping[str, FloatArray] = field(default_factory=dict)
+    evidence: Evidence | None = None

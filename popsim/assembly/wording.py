@@ -3,6 +3,7 @@
 from collections.abc import Iterable
 from itertools import groupby
 
+from popsim.assembly.way import Way
 from popsim.layout import Crease, Face, Flap, Layout, Piece
 
 
@@ -29,6 +30,30 @@ def gluing_text(layout: Layout, new: Iterable[str], joints: tuple[str, ...]) -> 
 def closing_text() -> str:
     """Last step: try it."""
     return "Let the glue dry. Close the card slowly, helping each crease in its direction, and open it again."
+
+
+WAYS = {
+    Way.LAID: "Lay it on from above and press.",
+    Way.SLID: "Slide it in, then fold the flaps onto it and press.",
+    Way.FOLDED: "Fold it over and press.",
+    Way.CLOSED: "Put the glue on at {degrees:.0f} degrees, fold all flat and press.",
+    Way.HELD: "Hold it open at {degrees:.0f} degrees and press the flaps between two fingers.",
+}
+
+
+def way_text(way: Way, degrees: float | None) -> str:
+    """How what is glued comes together."""
+    return WAYS[way].format(degrees=degrees or 0.0)
+
+
+def folding_text(names: Iterable[str]) -> str:
+    """What lay open is folded over first."""
+    return f"First fold {_listed([f'piece {name}' for name in names])} flat as shown."
+
+
+def unproved_text(reason: str) -> str:
+    """What a step says for which no way was found in simulation."""
+    return f"(No way to do this was found in simulation: {reason}. Bend the paper gently.)"
 
 
 def _fold_text(piece: Piece) -> str:

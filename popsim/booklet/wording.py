@@ -15,7 +15,7 @@ TOOLS = (
     "scissors, or a craft knife and a cutting mat; ask a grown-up before using a knife",
     "a ruler and an empty ballpoint pen, to score the folds",
     "paper glue that dries slowly, or thin double-sided tape",
-    "tweezers for small flaps",
+    "tweezers for small flaps, and a toothpick for glue where fingers do not fit",
 )
 
 LEGEND = "What the pictures say"

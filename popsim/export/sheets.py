@@ -5,7 +5,7 @@ import tempfile
 from functools import partial
 from pathlib import Path
 
-from popsim.assembly import AssemblyPlan, draw_steps
+from popsim.assembly import AssemblyPlan
 from popsim.errors import OutputError
 from popsim.export.formats import Writer, find_writer
 from popsim.export.job import Job
@@ -41,7 +41,7 @@ def export(
     printing:
         Line style, texts and sides; None for the usual.
     plan:
-        Prints its numbers instead of the layout's own, and its steps after the sheets.
+        Prints its numbers instead of the layout's own.
     sweep:
         The motion of the design, for formats that show it.
     force:
@@ -61,20 +61,18 @@ def export(
     printing = printing or Printing()
     writer, style = find_writer(format), find_style(printing.style)
     layout = layout if plan is None else plan.layout
-    job = Job(layout, _sheets(layout, printing, plan), style, texture_root, path.stem, sweep)
+    job = Job(layout, _sheets(layout, printing), style, texture_root, path.stem, sweep)
     return _written(writer, job, path, force)
 
 
-def _sheets(layout: Layout, printing: Printing, plan: AssemblyPlan | None) -> tuple[Sheet, ...]:
-    """The layout drawn, then the pages of the steps."""
-    sheets = draw_sheets(
+def _sheets(layout: Layout, printing: Printing) -> tuple[Sheet, ...]:
+    return draw_sheets(
         layout,
         footer=printing.footer,
         banner=printing.banner,
         two_sided=printing.two_sided,
         notes=printing.notes,
     )
-    return sheets if plan is None else (*sheets, *draw_steps(plan))
 
 
 def _written(writer: Writer, job: Job, path: Path, force: bool) -> tuple[Path, ...]:

@@ -38,11 +38,21 @@ class Planned:
         return self.plan.layout
 
     @property
+    def _doubts(self) -> tuple[str, ...]:
+        """Joints for which no way was found."""
+        return tuple(
+            f"no way was found to glue {', '.join(str(self.layout.numbers[name]) for name in step.joints)}: "
+            f"{step.evidence.way}"
+            for step in self.plan.unproved
+            if step.evidence is not None
+        )
+
+    @property
     def notes(self) -> tuple[str, ...]:
         """What is not as it should be, one sentence each."""
         if self.contacts is None:
-            return ("flaps were not folded with the design, because its motion breaks off",)
-        return tuple(
+            return (*self._doubts, "flaps were not folded with the design, because its motion breaks off")
+        return self._doubts + tuple(
             f"flap {self.layout.numbers[one.flap.joint.id]} is in the way of {one.other} by {one.bite:.1f} mm at "
             f"{np.degrees(one.theta):.0f} degrees: trim it there"
             for one in self.contacts
@@ -58,9 +68,9 @@ def plan_sheets(design: Design, sweep: Sweep, *, paper: str, settings: LayoutSet
         The paper is unknown, or the design does not go onto it.
     """
     if not sweep.complete:
-        return Planned(plan_assembly(lay_out(design, paper=paper, settings=settings)), None)
+        return Planned(plan_assembly(lay_out(design, paper=paper, settings=settings), sweep), None)
     clear = keeping_clear(sweep, settings.thickness)
-    plan = plan_assembly(lay_out(design, paper=paper, settings=settings, in_the_way=clear))
+    plan = plan_assembly(lay_out(design, paper=paper, settings=settings, in_the_way=clear), sweep)
     contacts = find_flap_contacts(plan.layout.parts, plan.layout.flaps, sweep, settings.thickness)
     return Planned(plan, contacts)
 

@@ -58,6 +58,7 @@ def report_of(run: DesignRun, planned: Planned | None, files: list[str], command
             "vertices": run.painted.vertices,
         },
         "layout": None if planned is None else _layout(planned),
+        "assembly": None if planned is None else _assembly(planned),
         "verification": run.verdict.to_dict(),
         "doubts": list(run.doubts),
         "notes": [*run.notes, *(planned.notes if planned else ())],
@@ -73,6 +74,18 @@ def _layout(planned: Planned) -> dict[str, Any]:
         "pieces": len(layout.pieces),
         "flaps": len(layout.flaps),
         "flaps_in_the_way": in_the_way,
+    }
+
+
+def _assembly(planned: Planned) -> dict[str, Any]:
+    plan = planned.plan
+    return {
+        "ease": plan.ease.to_dict(),
+        "steps": [
+            {"number": step.number, "joints": list(step.joints), **step.evidence.to_dict()}
+            for step in plan.steps
+            if step.evidence is not None
+        ],
     }
 
 

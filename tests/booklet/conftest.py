@@ -11,9 +11,9 @@ from popsim.simulation import Sweep, fold_design
 
 
 @pytest.fixture(scope="session")
-def plan() -> AssemblyPlan:
+def plan(sweep: Sweep) -> AssemblyPlan:
     """The plan of a box and a wedge on a card."""
-    return plan_assembly(lay_out(calibration_design()))
+    return plan_assembly(lay_out(calibration_design()), sweep)
 
 
 @pytest.fixture(scope="session")

@@ -13,6 +13,7 @@ from popsim.mechanisms.box_fold import BoxFold, Top
 from popsim.mechanisms.pair import PairKind
 from popsim.mechanisms.tent_fold import TentFold
 from popsim.mechanisms.v_fold_1 import VFold1
+from popsim.simulation import fold_design
 
 
 @pytest.fixture(scope="session")
@@ -40,4 +41,4 @@ def printed(tmp_path_factory: pytest.TempPathFactory) -> Printed:
         patch["texture_frame"] = {name: tuple(map(float, vector)) for name, vector in frame.items()}
     design = Design.model_validate(data)
     layout = lay_out(design)
-    return Printed(design, folder, layout, plan_assembly(layout))
+    return Printed(design, folder, layout, plan_assembly(layout, fold_design(design, 45).sweep))

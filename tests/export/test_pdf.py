@@ -65,11 +65,8 @@ def test_a_verified_design_carries_no_banner(printed: Printed, tmp_path: Path) -
     assert not any("VERIFIED" in text for text in page_texts(made))
 
 
-def test_the_steps_follow_the_sheets(pdf: Path, printed: Printed) -> None:
-    texts = page_texts(pdf)[printed.layout.sheet_count :]
-    words = " ".join(" ".join(texts).split())
-    for step in printed.plan.steps:
-        assert " ".join(step.text.split()) in words
+def test_nothing_follows_the_sheets(pdf: Path, printed: Printed) -> None:
+    assert len(page_texts(pdf)) == printed.layout.sheet_count
 
 
 def test_sizes_are_true_at_600_dpi(tmp_path: Path) -> None:

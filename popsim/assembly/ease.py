@@ -1,0 +1,90 @@
+"""How easy a plan is: what there is to do, and how long it takes somebody who does it for the first time."""
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from popsim.assembly.step import Step
+from popsim.geometry.arrays import FloatArray
+from popsim.layout import Layout
+
+PER_METRE = 3.0
+"""Minutes to cut one metre by knife or scissors."""
+
+PER_CREASE = 0.25
+"""Minutes to score a crease and to bend it."""
+
+PER_STEP = 0.5
+"""Minutes to read a step and to take things up for it."""
+
+PER_JOINT = 1.0
+"""Minutes to put glue onto a flap, to press it and to let it set."""
+
+STANDING = 1.0
+"""Minutes more for a joint that is held between two fingers until it sets."""
+
+BLIND = 1.0
+"""Minutes more for a joint that is not seen while it comes together."""
+
+
+@dataclass(frozen=True)
+class Ease:
+    """What a plan asks of its maker.
+
+    Attributes
+    ----------
+    steps, joints:
+        How many there are.
+    standing:
+        Joints that are made standing up, pressed between two fingers.
+    blind:
+        Joints that are not seen while they come together.
+    unproved:
+        Joints for which no way was found.
+    minutes:
+        For cutting, creasing and gluing.
+    """
+
+    steps: int
+    joints: int
+    standing: int
+    blind: int
+    unproved: int
+    minutes: float
+
+    def to_dict(self) -> Mapping[str, Any]:
+        """Plain data."""
+        return {
+            "steps": self.steps,
+            "joints": self.joints,
+            "standing": self.standing,
+            "blind": self.blind,
+            "unproved": self.unproved,
+            "minutes": round(self.minutes, 1),
+        }
+
+    def __str__(self) -> str:
+        """One line."""
+        told = f"{self.steps} steps, {self.joints} joints ({self.standing} standing, {self.blind} blind)"
+        return f"{told}, about {self.minutes:.0f} minutes"
+
+
+def ease_of(layout: Layout, steps: Iterable[Step]) -> Ease:
+    """The ease of the steps of a layout."""
+    listed = list(steps)
+    glued = [(step, step.evidence) for step in listed if step.evidence is not None]
+    joints = sum(len(step.joints) for step, _ in glued)
+    standing = sum(len(step.joints) for step, found in glued if found.feasible and not found.lying)
+    blind = sum(len(found.blind) for _, found in glued)
+    unproved = sum(len(step.joints) for step, found in glued if not found.feasible)
+    cut = sum(piece.outline.length + sum(_length(slit) for slit in piece.slits) for piece in layout.pieces) / 1000
+    creases = sum(len(piece.folds) for piece in layout.pieces)
+    minutes = PER_METRE * cut + PER_CREASE * creases + PER_STEP * len(listed) + PER_JOINT * joints
+    minutes += STANDING * (standing + unproved) + BLIND * blind
+    return Ease(len(listed), joints, standing, blind, unproved, minutes)
+
+
+def _length(line: FloatArray) -> float:
+    return float(np.linalg.norm(np.diff(line, axis=0), axis=1).sum())

@@ -1,0 +1,105 @@
+"""Executing a step with things held open as in the finished pop-up, and pressed by closing it or by fingers."""
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from popsim.assembly.bundle import Bundle
+from popsim.assembly.glueing import Glueing, Poses
+from popsim.assembly.passage import Passage
+from popsim.assembly.proof import Proof, Refusal
+from popsim.assembly.reference import NEARLY_FLAT
+from popsim.assembly.trial import LOOK
+from popsim.assembly.way import Way
+from popsim.geometry.arrays import FloatArray
+from popsim.geometry.plane import Plane
+
+OPENED = (180.0, 120.0, 75.0)
+"""Degrees; fold angles at which glue is put into what is closed then."""
+
+HELD = (180.0, 120.0, 75.0, 40.0)
+"""Degrees; fold angles at which things are held for fingers to get at them."""
+
+SIDES = (
+    *((0, 0, 1), (1, 0, 1), (-1, 0, 1), (0, 1, 1), (0, -1, 1)),
+    *((1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, -1)),
+)
+"""Directions from which something is brought to a face, in a frame whose last axis leads out of it."""
+
+
+class Holding:
+    """A bundle of which one joint is to be undone while it is held open."""
+
+    def __init__(self, bundle: Bundle, name: str) -> None:
+        self.bundle, self.name = bundle, name
+        self.kit = bundle.kit
+        self.left = bundle.without((name,))
+        self.groups = self.left.groups(self.left.parts)
+        self._glueing = Glueing(self.kit, (name,))
+
+    def closed(self) -> Proof | Refusal:
+        """The joint is glued with all open, and pressed as all is folded flat: the rest guides it to its place."""
+        if len(self.groups) > 1:
+            return Refusal((self.name,), "nothing else guides it to its place")
+        reference = self.kit.reference
+        for degrees in OPENED:
+            if not self._glueing.gets_glue(self._at(degrees)):
+                continue
+            frames = slice(reference.frame(np.radians(degrees)), reference.frame(NEARLY_FLAT) + 1)
+            still = self.kit.ground(self.bundle.poses) or self._glueing.flaps[0].target
+            back = np.linalg.inv(reference.poses[still][frames])
+            motion = {part: back @ reference.poses[part][frames] for part in self.bundle.poses}
+            end = {part: poses[-1] for part, poses in motion.items()}
+            up = self._glueing.face(self._glueing.flaps[0], end)
+            blind = self._glueing.covered(self._at(degrees))
+            return Proof(Way.CLOSED, (self.name,), blind, motion, _moving(motion), up, (self.left,), degrees)
+        return Refusal((self.name,), "no glue gets there: it is shut in")
+
+    def pressed(self) -> Proof | Refusal:
+        """The joint is brought together and pressed between two fingers."""
+        reason = ""
+        for degrees in HELD:
+            poses = self._at(degrees)
+            unreached = self._glueing.unreached(poses)
+            if unreached:
+                reason = f"no finger reaches the flap of {unreached[0]} on {unreached[1]}"
+                continue
+            apart = self._brought(poses)
+            if apart is None:
+                reason = f"held at {degrees:.0f} degrees it runs into paper from every side"
+                continue
+            motion = {part: np.stack([apart[part], poses[part]]) for part in poses}
+            blind = self._glueing.unseen(poses, apart)
+            up = self._glueing.face(self._glueing.flaps[0], poses)
+            parts = tuple(self.left.only(group) for group in self.groups)
+            return Proof(Way.HELD, (self.name,), blind, motion, _moving(motion), up, parts, degrees)
+        return Refusal((self.name,), reason)
+
+    def _brought(self, poses: Poses) -> Poses | None:
+        """Where things are before they come together; None where there is no way."""
+        if len(self.groups) == 1:
+            return poses
+        free = self.bundle.lighter(self.groups[0])
+        held = self.bundle.held(poses)
+        for direction in _around(self._glueing.face(self._glueing.flaps[0], poses)):
+            far = held.shifted(free, self.kit.size(poses) * direction)
+            motion = {name: np.stack([far[name], poses[name]]) for name in poses}
+            if not Passage(self.kit.outlines, motion).collisions(sorted(free), sorted(held.parts - free)):
+                return held.shifted(free, LOOK * direction)
+        return None
+
+    def _at(self, degrees: float) -> dict[str, FloatArray]:
+        whole = self.kit.reference.at(np.radians(degrees))
+        return {name: whole[name] for name in self.bundle.poses}
+
+
+def _moving(motion: Poses) -> frozenset[str]:
+    return frozenset(part for part, poses in motion.items() if not np.allclose(poses[0], poses[-1], atol=1e-6))
+
+
+def _around(up: FloatArray) -> Iterator[FloatArray]:
+    """Directions to come from, `up` first; unit, (3,)."""
+    plane = Plane.facing(up, np.zeros(3))
+    for right, forward, rise in SIDES:
+        direction = right * plane.u + forward * plane.v + rise * up
+        yield direction / np.linalg.norm(direction)

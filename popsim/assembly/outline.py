@@ -1,0 +1,71 @@
+"""Parts as the assembly checks them: outlines taken in or let out by a hair, and points all over them."""
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from popsim.geometry.arrays import BoolArray, FloatArray
+from popsim.geometry.plane import Plane
+from popsim.layout import Part
+
+if TYPE_CHECKING:
+    from shapely.geometry.base import BaseGeometry
+
+HAIR = 0.5
+"""mm; outlines are taken in by this, so that parts that meet in a line do not count as crossing."""
+
+SPACING = 10.0
+"""mm between points of an outline; smaller paper is still met by its corners."""
+
+COARSE = 0.3
+"""mm; outlines are simplified by this much: below what anybody cuts by hand."""
+
+
+@dataclass(frozen=True, eq=False)
+class Outline:
+    """The outline of a part in the open pose, for what runs into it and for what looks past it.
+
+    Attributes
+    ----------
+    plane:
+        Plane of the part.
+    polygon:
+        The outline taken in by HAIR, holes left free, in flat coordinates.
+    opaque:
+        The outline let out by HAIR: nothing is seen through the gap along a crease.
+    points:
+        Points along its rings and one inside, shape (m, 3).
+    """
+
+    plane: Plane
+    polygon: "BaseGeometry"
+    opaque: "BaseGeometry"
+    points: FloatArray
+
+    @staticmethod
+    def of(part: Part) -> "Outline":
+        """The outline of `part`."""
+        import shapely
+
+        polygon = part.polygon.buffer(-HAIR, join_style="mitre").simplify(COARSE)
+        inside = part.polygon.representative_point()
+        rings = shapely.segmentize(polygon.boundary, SPACING)
+        flat = np.vstack([shapely.get_coordinates(rings), shapely.get_coordinates(inside)])
+        opaque = part.polygon.buffer(HAIR, join_style="mitre").simplify(COARSE)
+        shapely.prepare([polygon, opaque])
+        return Outline(part.plane, polygon, opaque, part.plane.lift(flat))
+
+    def covers(self, points: FloatArray) -> BoolArray:
+        """Which points (n, 3), taken into the plane, lie well within the paper, shape (n,)."""
+        import shapely
+
+        flat = self.plane.flat(points)
+        return np.asarray(shapely.contains_xy(self.polygon, flat[:, 0], flat[:, 1]))
+
+    def hides(self, points: FloatArray) -> BoolArray:
+        """Which points (n, 3), taken into the plane, nothing is seen through, shape (n,)."""
+        import shapely
+
+        flat = self.plane.flat(points)
+        return np.asarray(shapely.contains_xy(self.opaque, flat[:, 0], flat[:, 1]))

@@ -1,0 +1,153 @@
+"""Executing a step with everything lying: something is laid, slid in or folded over, and pressed down flat.
+
+A step is looked at from its end: what is undone by a motion is made by the same motion backwards.
+"""
+
+import numpy as np
+
+from popsim.assembly.bundle import Bundle
+from popsim.assembly.cut import Cut, axis
+from popsim.assembly.glueing import Glueing, Poses
+from popsim.assembly.passage import Pair, Passage
+from popsim.assembly.proof import Proof, Refusal
+from popsim.assembly.scene import FlapKey, flap_key
+from popsim.assembly.stack import Stack
+from popsim.assembly.way import Way
+from popsim.geometry.arrays import FloatArray
+from popsim.geometry.rigid import turns_about
+
+LOOK = 15.0
+"""mm between the two sides of a joint when the eye last guides them."""
+
+SHOWN = 0.5
+"""How far away a piece is shown before it is laid, over its size."""
+
+FOLDED_OVER = (172.0, 120.0, 75.0)
+"""Degrees by which what is folded over something is opened, the first that goes."""
+
+BESIDE = (75.0, 40.0)
+"""The same for what lies on the other side of the line."""
+
+FINE = np.radians(10.0)
+"""rad; turns are sampled at least this finely."""
+
+LEVEL = 0.9
+"""Cosine of the greatest angle between two sides that are pressed flat onto each other."""
+
+ALONG = ((0, 0, -1), (0, 0, 1), (1, 0, 0), (-1, 0, 0))
+"""Directions within the folded stack from which something is slid in: from the fold of the card first."""
+
+
+class Trial:
+    """A bundle of which something is to be undone while it lies."""
+
+    def __init__(self, bundle: Bundle, stack: Stack) -> None:
+        self.bundle, self.stack = bundle, stack
+        self.kit = bundle.kit
+
+    def cut(self, cut: Cut, number: int) -> Proof | Refusal:
+        """Take it apart or open it; `number` tells the sheet that is swung aside from others."""
+        hidden = self._shut_off(cut)
+        if hidden is not None:
+            return hidden
+        return self._opened(cut, number) if cut.line else self._lifted(cut)
+
+    def slid(self, moved: frozenset[str]) -> Proof | Refusal:
+        """Pull some parts out along the plane in which they lie."""
+        taken = tuple(joint.id for joint in self.bundle.crossing(moved))
+        if not set(taken) <= set(self.kit.flaps_of):
+            return Refusal(taken, "it is one piece of paper")
+        for flap in self._glueing(taken).flaps:
+            covering = self._covering(flap_key(flap), self.bundle.parts)
+            if covering:
+                return Refusal(taken, f"slid in, glue would be wiped off on {covering[0]}", covering)
+        turn = self.bundle.turn(min(moved))
+        for direction in np.array(ALONG, dtype=np.float64):
+            if not self._hit(moved, turn @ direction):
+                return self._apart(moved, taken, turn @ direction, Way.SLID)
+        return Refusal(taken, "it cannot be slid in from any side")
+
+    def _lifted(self, cut: Cut) -> Proof | Refusal:
+        flaps = self._glueing(cut.taken).flaps
+        for flap in flaps:
+            one, other = (self.bundle.normal(name) for name in (flap.carrier, flap.target))
+            if abs(one @ other) < LEVEL:
+                return Refusal(cut.taken, f"{flap.carrier} and {flap.target} do not lie flat on each other")
+        direction = cut.side * self.bundle.up(flaps[0].target)
+        hit = self._hit(cut.moved, direction)
+        if hit:
+            return Refusal(cut.taken, f"laid from above it runs into {hit[0][1]}", _others(hit))
+        return self._apart(cut.moved, cut.taken, direction, Way.LAID)
+
+    def _opened(self, cut: Cut, number: int) -> Proof | Refusal:
+        bundle, rest = self.bundle, self.bundle.parts - cut.moved
+        joint = bundle.joints[cut.line[0]]
+        ends = axis(bundle, joint)
+        along = (ends[1] - ends[0]) / np.linalg.norm(ends[1] - ends[0])
+        up = cut.side * bundle.up(joint.parts[0])
+        lever, other = (np.cross(along, bundle.middle(group) - ends[0]) @ up for group in (cut.moved, rest))
+        hit: list[Pair] = []
+        for degrees in FOLDED_OVER if lever * other > 0 else BESIDE:
+            steps = np.linspace(np.radians(degrees), 0.0, int(np.ceil(np.radians(degrees) / FINE)) + 1)
+            turns = turns_about(along, ends[0], np.sign(lever) * steps)
+            motion = {
+                name: turns @ pose if name in cut.moved else np.broadcast_to(pose, turns.shape)
+                for name, pose in bundle.poses.items()
+            }
+            hit = Passage(self.kit.outlines, motion).collisions(sorted(cut.moved), sorted(rest))
+            if not hit:
+                left = bundle.without(cut.taken).swung(cut.moved, turns[0], number)
+                blind = self._glueing(cut.taken).unseen(bundle.poses, left.poses)
+                movers = bundle.lighter(cut.moved)
+                up = up if movers == cut.moved else -up
+                return Proof(Way.FOLDED, cut.taken, blind, motion, movers, up, (left,))
+        return Refusal(cut.taken, f"folded over it runs into {hit[0][1]}", _others(hit))
+
+    def _apart(self, moved: frozenset[str], taken: tuple[str, ...], direction: FloatArray, way: Way) -> Proof:
+        """The proof that two bundles come together along a straight line; the lighter one is moved in pictures."""
+        bundle, movers = self.bundle, self.bundle.lighter(moved)
+        toward = direction if movers == moved else -direction
+        shown = SHOWN * self.kit.size({name: bundle.poses[name] for name in movers})
+        stages = [bundle.shifted(movers, share * shown * toward) for share in (1.0, 0.5, 0.0)]
+        motion = {name: np.stack([stage[name] for stage in stages]) for name in bundle.poses}
+        blind = self._glueing(taken).unseen(bundle.poses, bundle.shifted(movers, LOOK * toward))
+        left = bundle.without(taken)
+        apart = left.only(bundle.parts - moved), left.only(moved)
+        return Proof(way, taken, blind, motion, movers, toward, apart)
+
+    def _shut_off(self, cut: Cut) -> Refusal | None:
+        """Why a flap of a cut cannot get to its place, if it cannot.
+
+        Where a flap comes onto its place with one side, nothing of the other side may lie there. Where it would
+        have to get behind its place, it is folded onto it in the end: then nothing at all may lie there.
+        """
+        rest = self.bundle.parts - cut.moved
+        for flap in self._glueing(cut.taken).flaps:
+            key, lands = flap_key(flap), flap.target in cut.moved
+            comes_onto = (self.stack.side(key) == cut.side) != lands
+            own = cut.moved if lands else rest
+            covering = self._covering(key, own if comes_onto else self.bundle.parts)
+            if covering:
+                reason = f"the flap of {flap.carrier} cannot get between {flap.target} and {covering[0]}"
+                return Refusal(cut.taken, reason, covering)
+        return None
+
+    def _covering(self, key: FlapKey, among: frozenset[str]) -> tuple[str, ...]:
+        """Parts that lie on the place of a flap."""
+        sheets = self.bundle.sheets
+        sheet = sheets[self.kit.flap_motions[key].flap.target]
+        return tuple(sorted(name for name in self.stack.covers[key] & among if sheets[name] == sheet))
+
+    def _hit(self, moved: frozenset[str], direction: FloatArray) -> list[Pair]:
+        """What some parts run into as they come from a direction (3,)."""
+        near: Poses = self.bundle.poses
+        far = self.bundle.shifted(moved, self.kit.size(near) * direction)
+        motion = {name: np.stack([far[name], near[name]]) for name in near}
+        return Passage(self.kit.outlines, motion).collisions(sorted(moved), sorted(self.bundle.parts - moved))
+
+    def _glueing(self, taken: tuple[str, ...]) -> Glueing:
+        return Glueing(self.kit, taken)
+
+
+def _others(hit: list[Pair]) -> tuple[str, ...]:
+    return tuple(sorted({other for _, other in hit}))

@@ -1,0 +1,108 @@
+"""Steps that cannot be done are refused, with a reason: the negative controls of the execution."""
+
+from functools import cache
+
+import numpy as np
+import pytest
+
+from popsim.assembly.bundle import Bundle
+from popsim.assembly.cut import Cut, cuts
+from popsim.assembly.holding import Holding
+from popsim.assembly.kit import Kit
+from popsim.assembly.proof import Proof, Refusal
+from popsim.assembly.stack import Stack
+from popsim.assembly.trial import Trial
+from popsim.assembly.unmaking import check_order, find_order
+from popsim.assembly.way import Way
+from popsim.design import Card
+from popsim.layout import lay_out
+from popsim.mechanisms import assemble, card_pair
+from popsim.mechanisms.box_fold import BoxFold
+from popsim.simulation import fold_design
+
+CARD = Card(x=(-80, 80), depth=120)
+
+
+@cache
+def box() -> Kit:
+    """A box on a card, with its recorded motion."""
+    design = assemble(CARD, [BoxFold.plain("M1", card_pair(CARD), 20, 30, (-30, 30))])
+    return Kit(lay_out(design), fold_design(design, 45).sweep)
+
+
+def joint(*parts: str) -> str:
+    return next(name for name in box().flaps_of if set(box().joints[name].parts) == set(parts))
+
+
+def test_the_order_found_is_accepted_when_it_is_checked() -> None:
+    found = find_order(box())
+    assert not found.left
+    assert check_order(box(), [proof.joints for proof in found.proofs if proof.joints]) is None
+
+
+@pytest.mark.parametrize("foot", ["M1.T_G", "G"])
+def test_a_box_that_is_closed_before_its_backbone_is_glued_is_refused(foot: str) -> None:
+    late = joint("M1.C", foot)
+    others = [proof.joints for proof in find_order(box()).proofs if proof.joints]
+    order = [tuple(name for name in names if name != late) for names in others]
+    refusal = check_order(box(), [*[names for names in order if names], (late,)])
+    assert refusal is not None
+    assert refusal.joints == (late,)
+    assert "M1.C" in refusal.reason or "shut in" in refusal.reason
+
+
+def test_no_glue_and_no_finger_gets_into_a_closed_box() -> None:
+    whole = Bundle.whole(box())
+    closed = Holding(whole, joint("M1.C", "M1.T_G")).closed()
+    pressed = Holding(whole, joint("M1.C", "M1.T_G")).pressed()
+    assert isinstance(closed, Refusal)
+    assert isinstance(pressed, Refusal)
+    assert "shut in" in closed.reason
+    assert "finger" in pressed.reason
+
+
+def test_a_side_of_the_box_is_reached_from_outside() -> None:
+    apart = [one for proof in find_order(box()).proofs for one in proof.apart]
+    loose = next(one for one in reversed(apart) if "M1.L" in one.parts and "G" not in one.parts)
+    proof = Holding(loose.folded(), joint("M1.R", "M1.F_R")).closed()
+    assert isinstance(proof, Proof)
+    assert proof.way is Way.CLOSED
+    assert proof.blind == ()
+
+
+def test_what_lies_under_other_paper_cannot_be_lifted() -> None:
+    kit = box()
+    whole, stack = Bundle.whole(kit), Stack(kit)
+    taken = tuple(one.id for one in whole.crossing({"M1.C"}))
+    for side in (1, -1):
+        result = Trial(whole, stack).cut(Cut(frozenset({"M1.C"}), taken, (), side), 0)
+        assert isinstance(result, Refusal)
+        assert result.blockers
+
+
+def test_what_is_cut_off_lies_on_top() -> None:
+    kit = box()
+    whole, stack = Bundle.whole(kit), Stack(kit)
+    found = list(cuts(whole, stack))
+    assert found
+    for cut in found:
+        above = stack.over if cut.side > 0 else stack.under
+        assert all(above[name] <= cut.moved for name in cut.moved)
+
+
+def test_layers_lie_as_they_do_in_the_open_box() -> None:
+    """The ground is on top of the stack, the backdrop below all, and the backbone between the two sides."""
+    stack = Stack(box())
+    assert stack.over["G"] == frozenset()
+    assert stack.under["B"] == frozenset()
+    assert "M1.L" in stack.over["M1.C"]
+    assert "M1.R" in stack.under["M1.C"]
+    for name, above in stack.over.items():
+        assert all(name in stack.under[other] for other in above)
+
+
+def test_motions_are_rigid_and_end_where_things_belong() -> None:
+    for proof in find_order(box()).proofs:
+        for poses in proof.motion.values():
+            turns = poses[:, :3, :3]
+            assert np.allclose(turns @ np.swapaxes(turns, 1, 2), np.eye(3), atol=1e-6)
