@@ -11,7 +11,7 @@ import numpy as np
 from popsim.booklet.labels import Wish
 from popsim.booklet.things import Kind, Sight
 from popsim.geometry.arrays import FloatArray
-from popsim.geometry.flat import move_shape
+from popsim.geometry.flat import GRID, move_shape
 from popsim.layout import Face
 
 if TYPE_CHECKING:
@@ -53,10 +53,10 @@ class Scenery:
 
     @cached_property
     def silhouette(self) -> "BaseGeometry":
-        """All that is covered by paper."""
+        """All that is covered by paper; on a grid, so that it stays valid when it is moved."""
         import shapely
 
-        return shapely.union_all([sight.seen.whole for sight in self.sights])
+        return shapely.union_all([sight.seen.whole for sight in self.sights], grid_size=GRID)
 
     @property
     def glued(self) -> tuple[Sight, ...]:
