@@ -3,14 +3,15 @@
 import numpy as np
 import pytest
 from patch_solids import box_of, coloured_box, joined
-from shapely.geometry import Point, Polygon
+from shapely.geometry import LineString, Point, Polygon
 
 from popsim.design import Card
+from popsim.layout import lay_out
 from popsim.mechanisms import assemble, card_pair, plates_together
 from popsim.mechanisms.box_fold import BoxFold, Top
 from popsim.mechanisms.tent_fold import TentFold
 from popsim.patches import PatchSettings, paint
-from popsim.patches.slits import WIDTH
+from popsim.patches.slits import PLAY, WIDTH
 from popsim.pipeline.review import bare_sides
 from popsim.verification import verify
 
@@ -54,6 +55,19 @@ def test_fins_are_told_because_one_of_their_sides_stays_bare():
     (told,) = bare_sides(("M1.C",), None)
     assert "M1.C" in told and "both sides" in told and "white" in told
     assert "#202020" in bare_sides(("M1.C",), "#202020")[0]
+
+
+def test_its_slit_is_cut_and_the_crease_stops_at_it():
+    layout = lay_out(assemble(CARD, [BOX], painted(MAST).shapes), paper="700x900mm")
+    piece = layout.piece_of["M1.T_G"]
+    assert "M1.T_B" in piece.motions
+    (slit,) = (Polygon(ring) for ring in piece.outline.interiors)
+    sides = sorted(np.ptp(np.array(slit.exterior.coords), axis=0))
+    assert sides[0] == pytest.approx(WIDTH, abs=0.05)
+    assert sides[1] == pytest.approx(20 + 2 * PLAY, abs=0.5)
+    creases = [LineString(fold.ends) for fold in piece.folds if {"M1.T_G", "M1.T_B"} == set(fold.joint.parts)]
+    assert len(creases) == 2
+    assert all(crease.distance(slit) < 0.1 and crease.intersection(slit).length < 0.1 for crease in creases)
 
 
 def test_it_folds_with_all_its_hinges():
