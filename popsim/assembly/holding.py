@@ -5,14 +5,17 @@ from collections.abc import Iterator
 import numpy as np
 
 from popsim.assembly.bundle import Bundle
+from popsim.assembly.cut import ONE_LINE, axis
 from popsim.assembly.glueing import Glueing, Poses
 from popsim.assembly.passage import Passage
 from popsim.assembly.proof import Proof, Refusal
 from popsim.assembly.reference import NEARLY_FLAT
+from popsim.assembly.scene import flap_key
+from popsim.assembly.stack import Stack
 from popsim.assembly.trial import LOOK
 from popsim.assembly.way import Way
 from popsim.geometry.arrays import FloatArray
-from popsim.geometry.plane import Plane
+from popsim.geometry.plane import Plane, line_distance
 
 OPENED = (180.0, 120.0, 75.0)
 """Degrees; fold angles at which glue is put into what is closed then."""
@@ -74,6 +77,26 @@ class Holding:
             parts = tuple(self.left.only(group) for group in self.groups)
             return Proof(Way.HELD, (self.name,), blind, motion, _moving(motion), up, parts, degrees)
         return Refusal((self.name,), reason)
+
+    def tucked(self, stack: Stack) -> Proof | Refusal:
+        """The flap is slid to its place between layers of what lies folded, from beyond its own crease."""
+        folded = self.bundle.folded()
+        for flap in self._glueing.flaps:
+            covers = stack.covers[flap_key(flap)] & folded.parts
+            line = axis(folded, folded.joints[self.name])
+            closed = [
+                joint
+                for joint in folded.joints.values()
+                if joint.id != self.name and flap.target in joint.parts and not covers.isdisjoint(joint.parts)
+            ]
+            if any(line_distance(axis(folded, joint), line).max() < ONE_LINE for joint in closed):
+                return Refusal((self.name,), f"the layers on {flap.target} are joined where the flap would go in")
+            if all(side & folded.parts for side in stack.mouth(flap_key(flap))):
+                return Refusal((self.name,), f"the flap of {flap.carrier} is shut in")
+        motion = {name: pose[None].repeat(2, axis=0) for name, pose in folded.poses.items()}
+        up = self._glueing.face(self._glueing.flaps[0], folded.poses)
+        apart = tuple(self.left.only(group) for group in self.groups)
+        return Proof(Way.TUCKED, (self.name,), (self.name,), motion, frozenset(), up, apart)
 
     def _brought(self, poses: Poses) -> Poses | None:
         """Where things are before they come together; None where there is no way."""

@@ -62,6 +62,20 @@ class Stack:
         up = self.kit.reference.flat[flap.target][:3, :3] @ self.kit.face(flap) @ STACKED
         return 1 if up > 0 else -1
 
+    def mouth(self, key: FlapKey) -> tuple[frozenset[str], frozenset[str]]:
+        """The parts over and under the carrier of a flap where the flap goes in, if it is tucked to its place."""
+        import shapely
+
+        flap = self.kit.flap_motions[key].flap
+        place = self._seen(flap.target, flap.landing.buffer(-RIM))
+        line = shapely.get_coordinates(self._seen(flap.carrier, shapely.LineString(flap.line)))
+        along = (line[1] - line[0]) / np.linalg.norm(line[1] - line[0])
+        turn = 2 * np.outer(along, along) - np.eye(2)
+        outside = shapely.transform(place, lambda spots: (spots - line[0]) @ turn + line[0])
+        most = outside.area / 2
+        near = {name for name, shape in self._shapes.items() if shape.intersection(outside).area > most}
+        return self.over[flap.carrier] & near, self.under[flap.carrier] & near
+
     def rise(self, first: str, second: str, shared: "BaseGeometry") -> float:
         """How high the first part lies over the second where their difference is greatest, mm."""
         import shapely

@@ -74,11 +74,9 @@ def _undoing(bundle: Bundle, stack: Stack, names: tuple[str, ...], number: int) 
         trial = Trial(now, stack)
         exact = [cut for cut in cuts(now, stack) if set(cut.taken) == set(names)]
         ways = [trial.cut(cut, number) for cut in exact]
-        ways += [
-            getattr(Holding(now, name), how)()
-            for how in ("closed", "pressed")
-            for name in names[: 1 // len(names)]
-        ]
+        if len(names) == 1:
+            holding = Holding(now, names[0])
+            ways += [holding.closed(), holding.pressed(), holding.tucked(stack)]
         for way in ways:
             if isinstance(way, Proof):
                 return way
@@ -118,7 +116,6 @@ class Unmaking:
 
     def _undone(self, bundle: Bundle) -> Proof | None:
         best: Proof | None = None
-        self.refusals.clear()
         for result in self._ways(bundle):
             if isinstance(result, Refusal):
                 for name in result.joints:
@@ -157,6 +154,8 @@ class Unmaking:
                 yield trial.cut(cut, number)
         for name in singles:
             yield Holding(bundle, name).pressed()
+        for name in singles:
+            yield Holding(bundle, name).tucked(self.stack)
 
     def _begun_anew(self, bundle: Bundle, number: int) -> Iterator[Proof | Refusal]:
         """With all folded up again: what can be undone at once, or after swinging one thing aside."""

@@ -10,6 +10,7 @@ class Way(Enum):
     SLID = "slid in along the plane in which it lies; its flaps are folded onto it and pressed down flat"
     FOLDED = "folded over and pressed down flat"
     CLOSED = "glued open, then folded as in the finished pop-up and pressed down flat"
+    TUCKED = "tucked in between layers, out of sight, and pressed down flat"
     HELD = "held open and pressed between two fingers"
 
     @property

@@ -37,6 +37,7 @@ WAYS = {
     Way.SLID: "Slide it in, then fold the flaps onto it and press.",
     Way.FOLDED: "Fold it over and press.",
     Way.CLOSED: "Put the glue on at {degrees:.0f} degrees, fold all flat and press.",
+    Way.TUCKED: "Tuck the flap in between the layers with tweezers and press.",
     Way.HELD: "Hold it open at {degrees:.0f} degrees and press the flaps between two fingers.",
 }
 

@@ -56,7 +56,7 @@ def write_booklet(
 
     from popsim.pictures import Look, open_picture
 
-    look = Look(width=720, height=540)
+    look = Look(width=480, height=360)
     picture, pdf, html = (folder / file for file in (PICTURE, f"{NAME}.pdf", f"{NAME}.html"))
     Image.fromarray(open_picture(design, folder, look)).save(picture, format="PNG")
     form = booklet_format(plan.layout.paper)

@@ -157,12 +157,16 @@ def _designed(model: Path, settings: "RunSettings", wishes: Path | None, output:
     check_folder(folder, force)
     run = run_design(model, settings, lambda stage: typer.echo(f"{stage} ...", err=True))
     command = _command(model, settings, wishes)
-    files = deliver(run, folder, command=command, footer=_footer(run, command), force=force)
+    files, planned = deliver(run, folder, command=command, footer=_footer(run, command), force=force)
     print_verdict(run.verdict, model.name)
     kinds = ", ".join(f"{m.mechanism.id} {m.mechanism.type}" for m in run.fit.placements)
     typer.echo(f"{len(run.design.popup_patches)} patches: {kinds}")
     for doubt in run.doubts:
         typer.echo(doubt)
+    if planned is not None:
+        typer.echo(f"to be made in {planned.plan.ease}")
+        for problem in planned.unproved:
+            typer.echo(problem)
     typer.echo(f"{len(files)} files in {folder}")
     return run.verdict.passed
 

@@ -14,6 +14,7 @@ from popsim.mechanisms import (
     card_pair,
 )
 from popsim.pipeline.folder import fill_folder
+from popsim.pipeline.planned import plan_sheets
 from popsim.pipeline.prints import write_prints
 from popsim.pipeline.settings import RunSettings
 from popsim.simulation import Sweep
@@ -70,6 +71,7 @@ def deliver_calibration(
     """
 
     def fill(own: Path) -> list[Path]:
-        return write_prints(sweep.design, sweep, own, settings, name=NAME, footer=footer, checks=CHECKS)[1]
+        planned = plan_sheets(sweep.design, sweep, paper=settings.paper, settings=settings.layout)
+        return write_prints(planned, sweep.design, sweep, own, settings, name=NAME, footer=footer, checks=CHECKS)
 
     return fill_folder(folder, fill, force=force)

@@ -38,7 +38,7 @@ class Planned:
         return self.plan.layout
 
     @property
-    def _doubts(self) -> tuple[str, ...]:
+    def unproved(self) -> tuple[str, ...]:
         """Joints for which no way was found."""
         return tuple(
             f"no way was found to glue {', '.join(str(self.layout.numbers[name]) for name in step.joints)}: "
@@ -51,8 +51,8 @@ class Planned:
     def notes(self) -> tuple[str, ...]:
         """What is not as it should be, one sentence each."""
         if self.contacts is None:
-            return (*self._doubts, "flaps were not folded with the design, because its motion breaks off")
-        return self._doubts + tuple(
+            return (*self.unproved, "flaps were not folded with the design, because its motion breaks off")
+        return self.unproved + tuple(
             f"flap {self.layout.numbers[one.flap.joint.id]} is in the way of {one.other} by {one.bite:.1f} mm at "
             f"{np.degrees(one.theta):.0f} degrees: trim it there"
             for one in self.contacts

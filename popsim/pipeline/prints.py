@@ -5,12 +5,13 @@ from pathlib import Path
 from popsim.booklet import write_booklet
 from popsim.design import Design, dump_design
 from popsim.export import Printing, export
-from popsim.pipeline.planned import Planned, plan_sheets
+from popsim.pipeline.planned import Planned
 from popsim.pipeline.settings import RunSettings
 from popsim.simulation import Sweep
 
 
 def write_prints(
+    planned: Planned,
     design: Design,
     sweep: Sweep,
     folder: Path,
@@ -20,11 +21,15 @@ def write_prints(
     footer: str,
     banner: str | None = None,
     checks: tuple[str, ...] = (),
-) -> tuple[Planned, list[Path]]:
+) -> list[Path]:
     """Write design, sheets, booklet and steps into a folder that has the textures of the design.
 
     Parameters
     ----------
+    planned:
+        Its layout and its assembly.
+    design:
+        What is printed.
     sweep:
         The recorded motion of the design.
     name:
@@ -38,9 +43,8 @@ def write_prints(
 
     Returns
     -------
-    What was planned, and the files written.
+    The files written.
     """
-    planned = plan_sheets(design, sweep, paper=settings.paper, settings=settings.layout)
     plan, checks = planned.plan, (*checks, *planned.notes)
     printing = Printing(settings.style, settings.two_sided, footer, banner, checks)
     made = [folder / "design.json"]
@@ -58,4 +62,4 @@ def write_prints(
     made += write_booklet(plan, design, sweep, folder, name=name, banner=banner, checks=checks)
     made.append(folder / "assembly.md")
     made[-1].write_text(plan.text)
-    return planned, made
+    return made

@@ -59,7 +59,7 @@ def test_tall_model_is_made_smaller_and_says_so(models: Path) -> None:
 
 def test_what_failed_is_not_exported_but_reported(truck: DesignRun, refusal: Verdict, tmp_path: Path) -> None:
     failed = replace(truck, verdict=refusal)
-    files = deliver(failed, tmp_path / "out", command="popsim design", footer="", force=False)
+    files, _ = deliver(failed, tmp_path / "out", command="popsim design", footer="", force=False)
     assert {file.name for file in files} == {"wishes.yaml", "report.json"}
     assert {path.name for path in (tmp_path / "out").iterdir()} == {"wishes.yaml", "report.json"}
     report = json.loads((tmp_path / "out" / "report.json").read_text())

@@ -28,7 +28,7 @@ def truck(models: Path) -> DesignRun:
 @pytest.fixture(scope="module")
 def wishes(truck: DesignRun, tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("run") / "out"
-    files = deliver(truck, folder, command="popsim design truck.obj", footer="", force=False)
+    files, _ = deliver(truck, folder, command="popsim design truck.obj", footer="", force=False)
     assert folder / WISHES in files
     return folder / WISHES
 
