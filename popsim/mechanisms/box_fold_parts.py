@@ -30,8 +30,8 @@ class FoundTop:
     on_backbone: bool
 
     def as_top(self, v: float) -> Top:
-        """As a top of a mechanism."""
-        xs = np.concatenate([ridge.points[:, 0] for ridge in self.ridges])
+        """As a top of a mechanism: as far as any of its hinges, as a slit in it leaves two ridges of one."""
+        xs = np.concatenate([hinge.points[:, 0] for hinge in (*self.edges, *self.ridges)])
         return Top(float(xs.min()), float(xs.max()), float(self.ridges[0].points[0, 2] - v))
 
 

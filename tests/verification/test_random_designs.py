@@ -101,6 +101,13 @@ def test_some_plates_inside_rise_as_fins_through_slits() -> None:
     assert slits == risen
 
 
+def test_tops_are_recognised_whole_on_both_sides_of_a_slit() -> None:
+    """A fin of M4 beside the tent M6 on the same top: two ridges of one top."""
+    design = random_design(1237097411, mechanisms=(1, 40)).design
+    assert len([hinge for hinge in design.hinges if set(hinge.patches) == {"M4.T_G", "M4.T_B"}]) == 2
+    assert examine(design).holds
+
+
 def test_number_of_mechanisms_keeps_to_its_limits() -> None:
     counts = [len(random_design(seed, mechanisms=(2, 5)).design.mechanisms) for seed in range(20)]
     assert set(counts) <= {2, 3, 4, 5}
