@@ -13,8 +13,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from popsim.fitting.fronts import Fronts
-from popsim.fitting.views import Views
-from popsim.geometry.arrays import BoolArray, FloatArray
+from popsim.fitting.stencil import Stencil
+from popsim.fitting.views import PIXELS, Views
+from popsim.geometry.arrays import FloatArray
 from popsim.geometry.plane import Plane
 from popsim.mechanisms import AS_THEY_ARE, Depths, Mechanism, Plate, plates_together
 
@@ -27,11 +28,11 @@ DEEP = 0.04
 REMEMBERED = 4000
 """Plates whose pictures are kept; candidates differ in few of them."""
 
-SPARSE = 0.25
-"""A face on which the model shows on less than this share stays whole: its hinges need paper to hold."""
+GRAIN = 0.006
+"""Side of the cells of stencils, as a share of the diagonal: gaps up to about that are closed."""
 
-GRAIN = 0.008
-"""Share of the diagonal up to about which parts of a plate hang together."""
+SQUARE = 0.9999
+"""|cos| of a normal to an axis above which a plate stands square."""
 
 OUTLINE, DEPTH = 2 / 3, 1 / 3
 """Weights of silhouette and relief: an outline that is wrong is seen first."""
@@ -58,11 +59,12 @@ class Likeness:
 
 
 class Appearance:
-    """A model seen from all sides, to hold abstractions against."""
+    """A model seen from all sides, to hold abstractions against; `fineness` times as many pixels a side."""
 
-    def __init__(self, scene: "RayScene", bounds: FloatArray) -> None:
+    def __init__(self, scene: "RayScene", bounds: FloatArray, fineness: int = 1) -> None:
         self.scene, self.bounds = scene, bounds
-        self.views = Views.of(bounds)
+        self.views = Views.of(bounds, fineness * PIXELS)
+        self.grain = GRAIN * self.views.diagonal / fineness
         self.known: dict[bytes, tuple[FloatArray, FloatArray]] = {}
 
     def likeness(self, mechanisms: Sequence[Mechanism], depths: Depths = AS_THEY_ARE) -> Likeness:
@@ -99,58 +101,25 @@ class Appearance:
         key = plate.outline.tobytes() + plate.room.tobytes() + plate.outward.tobytes() + depths.tobytes()
         found = self.known.get(key)
         if found is None:
-            found = self._drawn(plate, plate.room)
+            found = self._drawn(plate)
             if len(self.known) >= REMEMBERED:
                 self.known.pop(next(iter(self.known)))
             self.known[key] = found
         return found
 
-    def _drawn(self, plate: Plate, room: FloatArray) -> tuple[FloatArray, FloatArray]:
+    def _drawn(self, plate: Plate) -> tuple[FloatArray, FloatArray]:
         plane = Plane.through(plate.outline)
-        pixels, points, depth = self.views.cast(np.concatenate([plate.outline, room]), plane.normal)
-        face, beyond = self._shown(plate, plane, points)
-        if beyond.any():
-            beyond &= self._attached(plate, plane, plane.flat(points))
-        shown = face | beyond
+        corners = self._around(plate)
+        pixels, points, depth = self.views.cast(corners, plane.normal)
+        stencil = Stencil.of(plate, plane, corners, self._fronts, self.grain)
+        shown = stencil.shows(points)
         return pixels[shown].astype(np.int32), depth[shown].astype(np.float32)
 
-    def _shown(self, plate: Plate, plane: Plane, points: FloatArray) -> tuple[BoolArray, BoolArray]:
-        """At which points (n, 3) of its plane a plate shows the model within its face, and beyond it."""
+    def _around(self, plate: Plate) -> FloatArray:
+        """Corners around all of a plate on which the model can show, those of its face first, shape (n, 3)."""
         assert plate.room is not None  # plates give themselves room
-        behind = self._fronts.behind(points, plate.outward)
-        flat = plane.flat(points)
-        face = _within(flat, plane.flat(plate.outline))
-        shown = face & np.isfinite(behind) & (behind <= plate.behind)
-        if plate.principal and shown.sum() < SPARSE * face.sum():
-            shown = face
-        beside = behind <= plate.beside
-        if not plate.principal:
-            beside &= self._fronts.behind(points, -plate.outward) <= plate.beside
-        return shown, beside & ~face & _within(flat, plane.flat(plate.room))
-
-    def _attached(self, plate: Plate, plane: Plane, flat: FloatArray) -> BoolArray:
-        """At which points (n, 2) of its plane what a plate would show hangs together with its face."""
-        from scipy.ndimage import binary_dilation, label
-
-        assert plate.room is not None  # plates give themselves room
-        corners = plane.flat(np.concatenate([plate.outline, plate.room]))
-        low, grain = corners.min(axis=0), GRAIN * self.views.diagonal
-        shape = np.ceil((corners.max(axis=0) - low) / grain).astype(np.int64) + 1
-        cells = np.stack(np.meshgrid(*map(np.arange, shape), indexing="ij"), axis=-1).reshape(-1, 2)
-        face, beyond = self._shown(plate, plane, plane.lift(low + (cells + 0.5) * grain))
-        parts, _ = label(binary_dilation((face | beyond).reshape(shape)))
-        joined = np.unique(parts[face.reshape(shape)])
-        x, y = np.clip(((flat - low) / grain).astype(np.int64), 0, shape - 1).T
-        return np.isin(parts[x, y], joined)
-
-
-def _within(points: FloatArray, ring: FloatArray) -> BoolArray:
-    """Whether points (n, 2) lie in a simple polygon (m, 2)."""
-    x, y = points.T
-    inside = np.zeros(len(points), dtype=bool)
-    for (x0, y0), (x1, y1) in zip(ring, np.roll(ring, -1, axis=0), strict=True):
-        if y0 == y1:
-            continue
-        crosses = (y0 > y) != (y1 > y)
-        inside ^= crosses & (x < x0 + (y - y0) * ((x1 - x0) / (y1 - y0)))
-    return inside
+        room = plate.room
+        if np.abs(plate.outward).max() > SQUARE:
+            low = np.minimum(self.bounds[0], plate.outline.min(axis=0))
+            room = np.clip(room, low, np.maximum(self.bounds[1], plate.outline.max(axis=0)))
+        return np.concatenate([plate.outline, room])

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import TYPE_CHECKING
 
 from popsim.design import Card
@@ -21,6 +22,9 @@ from popsim.mechanisms import Depths, Mechanism, Primitive
 
 if TYPE_CHECKING:
     from popsim.rendering.ray_scene import RayScene
+
+FINE = 2
+"""Times as many pixels a side by which borders find their last place."""
 
 THINNEST = 0.03
 """Least extent of a prism or a step, as a share of the model's longest side: 4.5 mm on 150, for scissors."""
@@ -139,27 +143,28 @@ def fit(subject: Subject, settings: FitSettings | None = None) -> Fit:
         What the user keeps does not fold, or has more patches than are allowed.
     """
     settings = settings or FitSettings()
-    appearance = Appearance(subject.scene, subject.bounds)
+    coarse, fine = (Appearance(subject.scene, subject.bounds, fineness) for fineness in (1, FINE))
 
-    def value(candidate: Candidate) -> float:
+    def valued(appearance: Appearance, candidate: Candidate) -> float:
         if candidate.patches > settings.most_patches:
             return -1.0
-        return (
-            appearance.likeness(candidate.mechanisms, candidate.depths).overall
-            - settings.patch_likeness * candidate.patches
-        )
+        likeness = appearance.likeness(candidate.mechanisms, candidate.depths)
+        return likeness.overall - settings.patch_likeness * candidate.patches
+
+    def fit_of(candidate: Candidate, gap: float) -> Fit:
+        return Fit(candidate, fine.likeness(candidate.mechanisms, candidate.depths), gap)
 
     size = float((subject.bounds[1] - subject.bounds[0]).max())
     card = Card(x=(-20 * size, 20 * size), depth=20 * size)
     start = first_candidate(card, THINNEST * size, settings.wishes, settings.most_patches)
     if start.nodes and not settings.wishes.add:
-        kept = deepened(start, value)
-        return Fit(kept, appearance.likeness(kept.mechanisms, kept.depths), 0.0)
-    found = search(start, subject.volume, subject.planes, value, settings)
+        return fit_of(deepened(start, partial(valued, coarse)), 0.0)
+    values = partial(valued, coarse), partial(valued, fine)
+    found = search(start, subject.volume, subject.planes, *values, settings)
     if found is None:
         raise MeshError("no part of the model is solid enough for a mechanism; try --detail 1 or another --up")
     best, closed = found
-    return Fit(best, appearance.likeness(best.mechanisms, best.depths), 2 * closed * subject.volume.cell)
+    return fit_of(best, 2 * closed * subject.volume.cell)
 
 
 def _placement(candidate: Candidate, index: int) -> Placement:

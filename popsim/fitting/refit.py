@@ -1,6 +1,6 @@
 """Climbing from an abstraction to one that looks more like its model."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 from popsim.fitting.candidate import Candidate
 from popsim.fitting.greedy import Grower
@@ -37,13 +37,13 @@ class Climber:
             state = self.refit(more, budget // (2 * ADDITIONS))
         return self.refit(state, budget // 2)
 
-    def refit(self, state: Candidate, budget: int) -> Candidate:
-        """Make changes that improve, in coarse steps first, with at most `budget` evaluations.
+    def refit(self, state: Candidate, budget: int, steps: Sequence[float] = STEPS) -> Candidate:
+        """Make changes that improve, in coarse steps (cells) first, with at most `budget` evaluations.
 
         Changes are tried in turn, all round; one that improves is tried again at once.
         """
         score = self.value(state)
-        for step in STEPS:
+        for step in steps:
             ways = moves(state)
             idle = position = 0
             while idle < len(ways) and budget > 0:

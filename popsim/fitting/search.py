@@ -18,6 +18,10 @@ FIRST_BUDGET, LAST_BUDGET = 60, 160
 """Evaluations to refit each of them, and the best."""
 
 
+FINE_STEPS, FINE_BUDGET = (0.6, 0.25), 80
+"""Cells by which borders are moved at last, and evaluations for that."""
+
+
 @dataclass(frozen=True)
 class Manner:
     """One way to begin.
@@ -61,9 +65,11 @@ SECOND = Manner(0.1, 0.8, 0.3, founded=False)
 
 
 def search(
-    start: Candidate, volume: Volume, planes: Planes, value: Value, settings: FitSettings
+    start: Candidate, volume: Volume, planes: Planes, value: Value, fine: Value, settings: FitSettings
 ) -> tuple[Candidate, int] | None:
     """Find the candidate of greatest value that grows from `start` and keeps all conditions.
+
+    `fine` is the same value with more pixels: by it borders find their last place.
 
     Returns
     -------
@@ -76,7 +82,8 @@ def search(
     if not tried:
         return None
     best, closed = max(tried, key=lambda entry: value(entry[0]))
-    return deepened(climber.complete(best, LAST_BUDGET), value), closed
+    best = deepened(climber.complete(best, LAST_BUDGET), value)
+    return Climber(fine, climber.grower).refit(best, FINE_BUDGET, FINE_STEPS), closed
 
 
 def _grown(

@@ -8,7 +8,7 @@ from popsim.fitting.wishes import Wishes
 DEAREST, CHEAPEST = 0.03, 0.0008
 """Price of a patch as a share of the solid cells, at detail 0 and 1."""
 
-UNLIKE, LIKE = 0.015, 0.00015
+UNLIKE, LIKE = 0.01, 0.0001
 """Likeness that a patch must bring, at detail 0 and 1."""
 
 

@@ -35,15 +35,18 @@ class Views:
         Centre of the box, shape (3,).
     diagonal:
         Its diagonal, mm; eyes are that far from the centre.
+    pixels:
+        Pixels along the diagonal.
     """
 
     centre: FloatArray
     diagonal: float
+    pixels: int = PIXELS
 
     @staticmethod
-    def of(bounds: FloatArray) -> "Views":
+    def of(bounds: FloatArray, pixels: int = PIXELS) -> "Views":
         """The views of a box, rows low and high, shape (2, 3)."""
-        return Views(bounds.mean(axis=0), float(np.linalg.norm(bounds[1] - bounds[0])))
+        return Views(bounds.mean(axis=0), float(np.linalg.norm(bounds[1] - bounds[0])), pixels)
 
     @cached_property
     def axes(self) -> FloatArray:
@@ -58,11 +61,11 @@ class Views:
     @property
     def shape(self) -> tuple[int, int]:
         """Number of views, and of pixels in each."""
-        return len(self.axes), PIXELS * PIXELS
+        return len(self.axes), self.pixels * self.pixels
 
     def rays(self) -> tuple[FloatArray, FloatArray]:
         """Origins and directions of the rays of all pixels, view after view, shape (9 p, 3)."""
-        steps = self.diagonal * ((np.arange(PIXELS) + 0.5) / PIXELS - 0.5)
+        steps = self.diagonal * ((np.arange(self.pixels) + 0.5) / self.pixels - 0.5)
         up, across = (grid.reshape(-1, 1) for grid in np.meshgrid(steps, steps, indexing="ij"))
         right, rise, eye = self.axes[:, None, 0], self.axes[:, None, 1], self.axes[:, None, 2]
         origins = self.centre + across * right + up * rise + self.diagonal * eye
@@ -81,17 +84,17 @@ class Views:
         facing = self.axes[:, 2] @ normal
         views = np.flatnonzero(np.abs(facing) > EDGE_ON)
         flat = (corners - self.centre) @ self.axes[views, :2].transpose(0, 2, 1) / self.diagonal + 0.5
-        low = np.clip(np.ceil(flat.min(axis=1) * PIXELS - 0.5).astype(np.int64), 0, PIXELS)
-        high = np.clip(np.floor(flat.max(axis=1) * PIXELS - 0.5).astype(np.int64) + 1, low, PIXELS)
+        low = np.clip(np.ceil(flat.min(axis=1) * self.pixels - 0.5).astype(np.int64), 0, self.pixels)
+        high = np.clip(np.floor(flat.max(axis=1) * self.pixels - 0.5).astype(np.int64) + 1, low, self.pixels)
         wide, tall = (high - low).T
         count = wide * tall
         which = np.repeat(np.arange(len(views)), count)
         number = np.arange(count.sum()) - np.repeat(np.cumsum(count) - count, count)
         column, row = low[which, 0] + number % wide[which], low[which, 1] + number // wide[which]
         right, rise, eye = (self.axes[views[which], k] for k in range(3))
-        across = self.diagonal * ((column + 0.5) / PIXELS - 0.5)
-        up = self.diagonal * ((row + 0.5) / PIXELS - 0.5)
+        across = self.diagonal * ((column + 0.5) / self.pixels - 0.5)
+        up = self.diagonal * ((row + 0.5) / self.pixels - 0.5)
         ahead = (corners[0] - self.centre) @ normal - across * (right @ normal) - up * (rise @ normal)
         ahead /= facing[views[which]]
         points = self.centre + across[:, None] * right + up[:, None] * rise + ahead[:, None] * eye
-        return views[which] * PIXELS * PIXELS + row * PIXELS + column, points, self.diagonal - ahead
+        return views[which] * self.pixels * self.pixels + row * self.pixels + column, points, self.diagonal - ahead

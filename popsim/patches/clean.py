@@ -22,6 +22,12 @@ GRAIN = 1e-6
 STRAIGHT = 1e-3
 """mm; a corner that is off the line between its neighbours by less is none."""
 
+LONG = 3.0
+"""What is too thin to cut counts where it is so many times longer than the least width;"""
+
+SLIM = 0.7
+"""and it may be this much thinner in places than on average."""
+
 ROUNDING = 0.02
 """mm; paper narrower than this is a rounding error."""
 
@@ -70,8 +76,23 @@ def closed(shape: "BaseGeometry", width: float) -> "BaseGeometry":
 
 
 def cuttable(wanted: "BaseGeometry", room: "Polygon", settings: PatchSettings) -> "BaseGeometry":
-    """A silhouette as paper can be cut: no slit, hole or strip thinner than the settings allow."""
-    return opened(common(closed(wanted, settings.thinnest), room), settings.thinnest)
+    """A silhouette as paper can be cut: no slit, hole or strip thinner than the settings allow.
+
+    Masts, poles and bars that are thinner are made as wide as that.
+    """
+    least = settings.thinnest
+    filled = common(closed(wanted, least), room)
+    solid = opened(filled, least)
+    bars = [_widened(bar, least) for bar in polygons(without(filled, solid)) if bar.length / 2 >= LONG * least]
+    if not bars:
+        return solid
+    return opened(common(closed(union(solid, *bars), least), room), least)
+
+
+def _widened(bar: "Polygon", least: float) -> "Polygon":
+    """A bar that is too thin, all of it at least that wide."""
+    width = SLIM * 2 * bar.area / bar.length
+    return _offset(bar, max(least - width, 0.0) / 2)
 
 
 def straightened(shape: "BaseGeometry", face: "Polygon", settings: PatchSettings) -> "BaseGeometry":

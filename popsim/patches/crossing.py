@@ -23,6 +23,12 @@ REACH = 1e4
 GROOVE = 0.3
 """mm beyond the line at which paper counts as reaching beyond it."""
 
+UPRIGHT = 0.5
+"""Plates whose normal rises by less are upright."""
+
+RISEN = 0.5
+"""Worth of an area that rises over a plate, beside that of one that lies beyond it."""
+
 SAME_LINE = 1e-3
 """mm; axes nearer than this are on one line."""
 
@@ -43,7 +49,7 @@ class Meeting:
 
 
 def uncross(meetings: Sequence[Meeting]) -> None:
-    """Cut the smaller of two overhangs where two pieces that end at one line both reach beyond it.
+    """Cut that of two overhangs which is worth less where two pieces that end at one line both reach beyond it.
 
     Pieces may share a line without a hinge between them: a side and the roof slope on the top that it carries.
     """
@@ -65,7 +71,7 @@ def _on_one_line(first: FloatArray, second: FloatArray) -> bool:
 
 
 def _uncross(first: Run, second: Run) -> None:
-    """Cut the smaller overhang, stretch by stretch of the line where both reach beyond it."""
+    """Cut the overhang of less worth, stretch by stretch of the line where both reach beyond it."""
     from shapely import get_parts
 
     if first.inward is None or second.inward is None:
@@ -78,8 +84,15 @@ def _uncross(first: Run, second: Run) -> None:
         low, high = part.bounds[0] - GROOVE, part.bounds[2] + GROOVE
         # places are counted from the start of the first run's axis, and both runs have the same axis
         bands = [common(over, _band(run, low, high)) for run, over in zip((first, second), overhangs, strict=True)]
-        run, band = min(zip((first, second), bands, strict=True), key=lambda pair: pair[1].area)
+        both = zip((first, second), bands, strict=True)
+        run, band = min(both, key=lambda pair: _worth(pair[0]) * pair[1].area)
         run.piece.shape = without(run.piece.shape, band)
+
+
+def _worth(run: Run) -> float:
+    """What an overhang counts: what rises is shown by the far side too, what lies by nothing else."""
+    lies = abs(run.piece.plane.normal[2]) > UPRIGHT
+    return 1.0 if lies else RISEN
 
 
 def _overhang(run: Run) -> "BaseGeometry":

@@ -1,6 +1,7 @@
 """Slits through which fins rise: where a patch inside goes on beyond a hinge line, the patch there gives way.
 
-Where too little of the hinge would be left, there is no fin.
+Where too little of the hinge would be left, the fin stands on a narrower neck; with too little for that, there is
+none.
 """
 
 from collections.abc import Mapping, Sequence
@@ -9,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from popsim.mechanisms import Mechanism
-from popsim.patches.clean import polygons, tidy, without
+from popsim.patches.clean import polygons, tidy, union, without
 from popsim.patches.crossing import beyond, touched
 from popsim.patches.hold import WITHIN, Run, least_hold
 from popsim.patches.piece import Piece
@@ -17,12 +18,19 @@ from popsim.patches.settings import PatchSettings
 
 if TYPE_CHECKING:
     from shapely.geometry import Polygon
+    from shapely.geometry.base import BaseGeometry
 
 WIDTH = 0.8
 """mm; what paper of any weight passes."""
 
 STEP = 0.25
 """mm between the places along a line where outlines are looked for."""
+
+NOTCH = 2.0
+"""mm over the line up to which a fin is cut beside its neck: its patch and the flaps there pass below it."""
+
+NECK = 6.0
+"""mm; on less no fin stands."""
 
 PLAY = 0.5
 """mm by which a slit is longer than its fin at either end."""
@@ -46,17 +54,51 @@ def cut_slits(
 
 
 def _slit(fin: Run, host: Run, outlines: dict[str, "Polygon"], settings: PatchSettings) -> None:
-    """Cut the slits of one fin along one line into the outline of the host, or the fin off its patch."""
-    slits = _slits(fin, host, outlines)
-    if slits.is_empty:
+    """Cut the slits of one fin along one line into the outline of the host.
+
+    Where they would leave too little of the hinge, the fin gets a narrower neck or, at last, is cut off.
+    """
+    if fin.inward is None or host.inward is None:
         return
     inner, outer = fin.piece.id, host.piece.id
-    left = polygons(without(outlines[outer], slits))
-    if left and _held(fin, host, outlines[inner], left[0]) >= least_hold(fin.length, settings):
-        outlines[outer] = tidy(left[0])
+    spans = _spans(fin, outlines[inner])
+    if not spans:
         return
-    assert fin.inward is not None  # there are no slits without
-    outlines[inner] = tidy(polygons(without(outlines[inner], beyond(fin, fin.inward)))[0])
+    plain = tidy(polygons(without(outlines[inner], beyond(fin, fin.inward)))[0])
+    least = least_hold(fin.length, settings)
+    slit = without(outlines[outer], _slits(host, spans))
+    lack = least - _held(fin, host, plain, slit)
+    choices = [outlines[inner]] if lack <= 0 else [*_necked(fin, outlines[inner], spans, lack), plain]
+    for choice in choices:
+        left = polygons(without(outlines[outer], _slits(host, _spans(fin, choice))))
+        if left and (choice is plain or _held(fin, host, plain, left[0]) >= least):
+            outlines[inner], outlines[outer] = choice, tidy(left[0])
+            return
+
+
+def _necked(fin: Run, outline: "Polygon", spans: Sequence[tuple[float, float]], lack: float) -> list["Polygon"]:
+    """The fin with its widest foot narrower by a bit more than `lack`, the largest first; none on too little."""
+    low, high = max(spans, key=lambda span: span[1] - span[0])
+    neck = high - low - lack - 2 * PLAY - STEP
+    if neck < NECK:
+        return []
+    found = []
+    for start in (low, (low + high - neck) / 2, high - neck):
+        notches = [
+            _above(fin, a, b) for a, b in ((low - PLAY, start), (start + neck, high + PLAY)) if b - a > PLAY
+        ]
+        parts = polygons(without(outline, union(*notches)))
+        found.append(tidy(parts[0]))
+    return sorted(found, key=lambda each: -each.area)
+
+
+def _above(fin: Run, low: float, high: float) -> "Polygon":
+    """A notch in the fin, right above a stretch of its line."""
+    from shapely.geometry import Polygon
+
+    assert fin.inward is not None  # asked by the caller
+    start, end = fin.places(np.array([low, high]))
+    return Polygon([start, end, end - NOTCH * fin.inward, start - NOTCH * fin.inward])
 
 
 def _held(fin: Run, host: Run, inner: "Polygon", outer: "Polygon") -> float:
@@ -72,17 +114,21 @@ def _held(fin: Run, host: Run, inner: "Polygon", outer: "Polygon") -> float:
     return float(both.sum() * fin.length / count)
 
 
-def _slits(fin: Run, host: Run, outlines: Mapping[str, "Polygon"]) -> "Polygon":
-    """All slits of one fin along one line, in the flat coordinates of the host."""
-    from shapely import get_parts, union_all
+def _spans(fin: Run, outline: "Polygon") -> list[tuple[float, float]]:
+    """Stretches of the line at which a fin passes it, mm from the start."""
+    from shapely import get_parts
+
+    rising = without(outline, fin.piece.face)
+    return [(float(span.bounds[0]), float(span.bounds[2])) for span in get_parts(touched(fin, rising))]
+
+
+def _slits(host: Run, spans: Sequence[tuple[float, float]]) -> "BaseGeometry":
+    """Slits for stretches of one line, in the flat coordinates of the host."""
     from shapely.geometry import Polygon
 
-    if fin.inward is None or host.inward is None:
-        return Polygon()
-    rising = without(outlines[fin.piece.id], fin.piece.face)
+    assert host.inward is not None  # asked by the caller
     found = []
-    for span in get_parts(touched(fin, rising)):
-        low, high = span.bounds[0] - PLAY, span.bounds[2] + PLAY
-        start, end = host.places(np.array([low, high]))
+    for low, high in spans:
+        start, end = host.places(np.array([low - PLAY, high + PLAY]))
         found.append(Polygon([start, end, end + WIDTH * host.inward, start + WIDTH * host.inward]))
-    return union_all(found)
+    return union(*found) if found else Polygon()

@@ -37,12 +37,13 @@ def see(scene: RayScene, piece: Piece, settings: PatchSettings) -> None:
 
     Within the face all of the model in the plate's box of space shows that lies no deeper than `behind`, and
     what lies deeper where the rest encloses it, but no legs; in the rest of the room only what lies near the
-    plane of the face. Patches inside are cut to what both sides hide; beyond their faces they rise as fins where
+    plane of the face. Patches inside are cut to what both sides hide, or one of them; beyond their faces they rise
+    as fins where
     both sides see the model near their plane.
     """
     grid = Grid.over(piece.plane, piece.room.bounds, settings.pixel)
     if not piece.plate.principal:
-        hidden = common(mask_polygon(_between(scene, piece, grid, 0.0), grid), piece.face)
+        hidden = common(mask_polygon(_hidden(scene, piece, grid), grid), piece.face)
         piece.shape = union(hidden, *_fins(scene, piece, grid))
         return
     sight = look(scene, grid, piece.box, -REACH, depths(piece, grid, piece.room))
@@ -60,6 +61,17 @@ def _between(scene: RayScene, piece: Piece, grid: Grid, depth: float) -> BoolArr
     behind = Grid.over(_turned(piece.plane), (-right, lower, -left, upper), grid.pixel)
     masks = [look(scene, each, piece.box, -REACH, depth).mask for each in (grid, behind)]
     return np.asarray(masks[0] & masks[1][:, ::-1])
+
+
+def _hidden(scene: RayScene, piece: Piece, grid: Grid) -> BoolArray:
+    """Pixels that both sides hide, and what lies amid them, but for windows through to the far side."""
+    from scipy.ndimage import binary_fill_holes
+
+    hidden = _between(scene, piece, grid, 0.0)
+    amid = np.asarray(binary_fill_holes(hidden)) & ~hidden
+    if amid.any():
+        hidden |= look(scene, grid, piece.box, -REACH, np.where(amid, REACH, np.nan)).mask
+    return hidden
 
 
 def _fins(scene: RayScene, piece: Piece, grid: Grid) -> list["Polygon"]:

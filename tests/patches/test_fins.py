@@ -81,6 +81,16 @@ def test_what_hardly_rises_over_the_hinge_is_no_fin():
     assert np.sort(fin[fin[:, 2] > 41][:, 0])[[0, -1]] == pytest.approx([-10, 10], abs=0.3)
 
 
+def test_a_long_fin_stands_on_a_neck_and_leaves_the_rest_of_its_hinge():
+    ridge = coloured_box((-50, -3, 40), (50, 3, 65))
+    shapes = painted(ridge).shapes
+    fin = Polygon(shapes["M1.C"].outline[:, [0, 2]])
+    low, high = (fin.intersection(LineString([(-60, z), (60, z)])).length for z in (41, 55))
+    assert high == pytest.approx(90, abs=1) and 6 <= low < high - 10
+    verdict = verify(assemble(CARD, [BOX], shapes))
+    assert verdict.passed and verdict.grade == "rigid"
+
+
 def test_no_fin_takes_the_hinge_it_rises_from():
     short = BoxFold.stepped("M1", card_pair(CARD), 30, (Top(-6, 6, 40),))
     surface = joined(coloured_box((-6, -30, 0), (6, 30, 40)), coloured_box((-6, -3, 40), (6, 3, 75)))

@@ -2,12 +2,12 @@
 
 import numpy as np
 import pytest
-from shapely.geometry import LineString, Polygon, box
+from shapely.geometry import LineString, Point, Polygon, box
 
 from popsim.geometry.plane import Plane
 from popsim.mechanisms import Plate
 from popsim.patches import PatchSettings
-from popsim.patches.clean import polygons, union
+from popsim.patches.clean import cuttable, polygons, union
 from popsim.patches.crossing import Meeting, uncross
 from popsim.patches.hold import Run, hold
 from popsim.patches.one_piece import finished
@@ -158,3 +158,12 @@ def test_no_sliver_is_left_of_a_ragged_outline():
     outline, _ = finished(own, SETTINGS)
     assert len(polygons(outline)) == 1
     assert outline.is_valid
+
+
+def test_masts_too_thin_to_cut_are_made_wider_and_thin_specks_go():
+    deck, mast, speck = box(0, 0, 100, 20), box(50, 19, 51, 60), box(20, 19, 21, 22)
+    made = cuttable(union(deck, mast, speck), box(0, 0, 100, 70), SETTINGS)
+    across = made.intersection(LineString([(40, 40), (60, 40)])).length
+    assert SETTINGS.thinnest <= across < 1.5 * SETTINGS.thinnest
+    assert made.bounds[3] == pytest.approx(60, abs=1.0)
+    assert not made.contains(Point(20.5, 21.5))

@@ -1,0 +1,75 @@
+"""Stencils show on a plate what its contours will leave of it."""
+
+import numpy as np
+import pytest
+from fitting_surfaces import block, surface
+
+from popsim.design import Card
+from popsim.fitting.fronts import Fronts
+from popsim.fitting.stencil import Stencil, within
+from popsim.geometry.plane import Plane
+from popsim.mechanisms import card_pair
+from popsim.mechanisms.box_fold import BoxFold
+from popsim.rendering.ray_scene import RayScene
+
+BOUNDS = np.array([[-50.0, -30.0, 0.0], [50.0, 30.0, 60.0]])
+BOX = BoxFold.plain("M1", card_pair(Card(x=(-300, 300), depth=300)), 30.0, 40.0, (-50.0, 50.0))
+BODY = block((-50, -30, 0), (50, 30, 40))
+
+
+def stencil(role, *parts):
+    plate = next(plate for plate in BOX.plates() if plate.role == role)
+    fronts = Fronts.of(RayScene(surface(*parts)), BOUNDS)
+    corners = np.concatenate([plate.outline, np.clip(plate.room, BOUNDS[0], BOUNDS[1])])
+    return Stencil.of(plate, Plane.through(plate.outline), corners, fronts, 1.0)
+
+
+def shows(role, points, *parts):
+    return stencil(role, *parts).shows(np.array(points, float)).tolist()
+
+
+def test_a_side_shows_all_of_a_box_and_nothing_over_it():
+    assert shows("L", [(0, 30, 20), (49, 30, 39), (-49, 30, 1), (0, 30, 45)], BODY) == [True, True, True, False]
+
+
+def test_what_rises_near_its_plane_shows_unless_it_hangs_in_the_air():
+    over = [(0, 30, 50)]
+    assert shows("L", over, BODY, block((-20, 26, 40), (20, 30, 60))) == [True]
+    assert shows("L", over, BODY, block((-20, 26, 46), (20, 30, 60))) == [False]
+    assert shows("L", over, BODY, block((-20, -30, 40), (20, -20, 60))) == [False]
+
+
+def test_a_seam_along_the_face_does_not_show():
+    kerb = block((-50, 26, 40), (50, 30, 41.2))
+    assert shows("L", [(0, 30, 40.6)], BODY, kerb) == [False]
+
+
+def doorway(x0, x1, z1):
+    """A box with a deep recess in its near side, open to that side."""
+    walls = [block((-50, -30, 0), (50, -20, 40)), block((-50, -20, 0), (x0, 30, 40))]
+    return [*walls, block((x1, -20, 0), (50, 30, 40)), block((x0, -20, z1), (x1, 30, 40))]
+
+
+def test_a_doorway_is_a_dent_of_its_wall_and_a_gap_between_two_walls_is_none():
+    assert shows("L", [(0, 30, 10), (40, 30, 10)], *doorway(-10, 10, 30)) == [True, True]
+    assert shows("L", [(0, 30, 10), (40, 30, 10)], *doorway(-10, 10, 39.9)[:3]) == [False, True]
+
+
+def test_what_is_all_but_empty_stays_whole():
+    corner = block((-50, -30, 0), (-40, 30, 40))
+    assert shows("L", [(-45, 30, 20), (0, 30, 20)], corner) == [True, True]
+
+
+def test_a_backbone_shows_what_either_side_hides_unless_one_sees_through():
+    tunnel = [block((-50, -30, 0), (-15, 30, 40)), block((15, -30, 0), (50, 30, 40))]
+    tunnel += [block((-15, -30, 30), (15, 30, 40)), block((-15, -30, 0), (15, 30, 5))]
+    assert shows("C", [(0, 0, 15), (30, 0, 15)], *tunnel) == [False, True]
+
+
+@pytest.mark.parametrize("turn", [0.0, 0.3])
+def test_points_lie_within_rectangles_and_others_alike(turn):
+    ring = np.array([[-4, -2], [4, -2], [4, 2], [-4, 2.0]])
+    matrix = np.array([[np.cos(turn), np.sin(turn)], [-np.sin(turn), np.cos(turn)]])
+    points = np.random.default_rng(1).uniform(-6, 6, (400, 2))
+    inside = (np.abs(points) < [4, 2]).all(axis=1)
+    assert (within(points @ matrix, ring @ matrix) == inside).all()
