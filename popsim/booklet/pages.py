@@ -61,20 +61,20 @@ def _cover(booklet: Booklet, form: Format) -> Column:
 
 def _reading(form: Format) -> Column:
     column = _listed(form, wording.NEEDED, wording.TOOLS)
-    column.skip(4.0)
+    column.skip(2.5)
     column.paragraph(wording.LEGEND, HEADING, bold=True)
     column.skip(1.5)
     for sample, meaning in legend():
         words = column.indented(sample.width + 4.0)
         height = text_height(meaning, form.body, words.width)
-        row = max(sample.height, height) + 0.8
+        row = max(sample.height, height) + 0.4
         words.skip((row - height) / 2)
         words.paragraph(meaning, form.body)
         end = column.top - row
         column.skip((row - sample.height) / 2)
         column.drawing(sample)
         column.top = end
-    column.skip(4.0)
+    column.skip(2.5)
     _list(column, form, wording.ADVICE, wording.TIPS)
     return column
 

@@ -113,6 +113,13 @@ def test_nothing_leaves_the_page_and_no_step_is_divided(booklet: Booklet, form: 
         assert entry.text.split(".")[0].split()[0] in " ".join(lines)
 
 
+def test_nothing_is_written_over_the_foot_of_a_page(booklet: Booklet, form: Format) -> None:
+    for page in draw_pages(booklet, form)[1:]:
+        *text, foot = (mark for mark in page.marks if isinstance(mark, Text))
+        assert foot.text == page.name and foot.at[1] < form.margin
+        assert min(mark.at[1] for mark in text) > foot.at[1] + foot.size
+
+
 def test_booklet_writes_each_number_and_each_new_piece(booklet: Booklet, plan: AssemblyPlan) -> None:
     for entry, step in zip(booklet.entries, plan.steps, strict=True):
         shown = {mark.text for mark in entry.figure.marks if isinstance(mark, Text)}
