@@ -24,7 +24,12 @@ AXIS = 0.01
 
 
 def deepened(state: Candidate, value: Callable[[Candidate], float]) -> Candidate:
-    """Choose the depths of all plates, those of one axis together first, then those of each plane."""
+    """Choose the depths of all plates anew, those of one axis together first, then those of each plane.
+
+    They follow from the mechanisms alone, so that mechanisms that are kept show what they showed before.
+    """
+    for index in range(len(state.nodes)):
+        state = state.with_depths(index, {})
     score = value(state)
     for index in range(len(state.nodes)):
         for roles in _groups(plates_of(state.mechanisms[index])):

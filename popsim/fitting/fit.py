@@ -152,13 +152,14 @@ def fit(subject: Subject, settings: FitSettings | None = None) -> Fit:
         return likeness.overall - settings.patch_likeness * candidate.patches
 
     def fit_of(candidate: Candidate, gap: float) -> Fit:
-        return Fit(candidate, fine.likeness(candidate.mechanisms, candidate.depths), gap)
+        shown = deepened(candidate, partial(valued, coarse))
+        return Fit(shown, fine.likeness(shown.mechanisms, shown.depths), gap)
 
     size = float((subject.bounds[1] - subject.bounds[0]).max())
     card = Card(x=(-20 * size, 20 * size), depth=20 * size)
     start = first_candidate(card, THINNEST * size, settings.wishes, settings.most_patches)
     if start.nodes and not settings.wishes.add:
-        return fit_of(deepened(start, partial(valued, coarse)), 0.0)
+        return fit_of(start, 0.0)
     values = partial(valued, coarse), partial(valued, fine)
     found = search(start, subject.volume, subject.planes, *values, settings)
     if found is None:
