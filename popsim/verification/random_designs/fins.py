@@ -13,6 +13,7 @@ from popsim.geometry.rigid import transform
 from popsim.mechanisms import Joint, Mechanism, Plate, Shape, plates_together
 from popsim.mechanisms.attach import SHORTEST
 from popsim.mechanisms.room import LEAST, draw, draw_interval
+from popsim.patches.slits import PLAY, WIDTH
 
 if TYPE_CHECKING:
     from shapely.geometry.base import BaseGeometry
@@ -22,12 +23,6 @@ FIN_SHARE = 0.5
 
 TALLEST = 60.0
 """mm; the most by which a fin rises."""
-
-SLIT = 0.8
-"""mm; width of a slit."""
-
-PLAY = 0.5
-"""mm by which a slit is longer than its fin at either end."""
 
 MARGIN = 1.0
 """mm that a closed card keeps above a fin."""
@@ -79,7 +74,7 @@ def _fin(
     window = Polygon([(start, -INSIDE), (end, -INSIDE), (end, draw(rng, LEAST, TALLEST)), (start, LEAST)])
     whole = face.union(room.intersection(window))
     slits = [
-        block(part.bounds[0] - PLAY, -SLIT, part.bounds[2] + PLAY, INSIDE)
+        block(part.bounds[0] - PLAY, -WIDTH, part.bounds[2] + PLAY, INSIDE)
         for part in get_parts(whole.difference(face))
         if part.area > 0
     ]
