@@ -6,6 +6,7 @@ import numpy as np
 
 from popsim.assembly.outline import Outline
 from popsim.geometry.arrays import BoolArray, FloatArray
+from popsim.geometry.directions import across, sphere_directions
 
 LIFT = 0.2
 """mm; rays start this far off the paper."""
@@ -107,18 +108,9 @@ class Surroundings:
         return hit
 
 
-def sphere() -> FloatArray:
-    """Directions spread evenly over the sphere (Fibonacci), shape (RAYS, 3)."""
-    k = np.arange(RAYS) + 0.5
-    z = 1 - 2 * k / RAYS
-    turn = np.pi * (1 + np.sqrt(5)) * k
-    rim = np.sqrt(1 - z**2)
-    return np.stack([rim * np.cos(turn), rim * np.sin(turn), z], axis=1)
-
-
 def _off(normal: FloatArray) -> FloatArray:
     """Directions off paper with a unit normal, shape (k, 3)."""
-    rays = sphere()
+    rays = sphere_directions(RAYS)
     return np.asarray(rays[rays @ normal > GRAZING])
 
 
@@ -131,9 +123,6 @@ def _cone(normal: FloatArray) -> FloatArray:
 
 def _ring(direction: FloatArray) -> FloatArray:
     """Six unit vectors around a unit direction, shape (6, 3)."""
-    helper = np.eye(3)[int(np.argmin(np.abs(direction)))]
-    first = np.cross(direction, helper)
-    first /= np.linalg.norm(first)
-    second = np.cross(direction, first)
+    first, second = across(direction)
     turn = np.linspace(0, 2 * np.pi, 6, endpoint=False)[:, None]
     return np.asarray(np.cos(turn) * first + np.sin(turn) * second)

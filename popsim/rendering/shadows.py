@@ -11,6 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from popsim.geometry.arrays import FloatArray
+from popsim.geometry.directions import cone_directions, sphere_directions
 from popsim.rendering.frame import Frame
 from popsim.rendering.light import Light
 from popsim.rendering.parallel import map_chunks
@@ -27,7 +28,6 @@ REACH = 1.2  # times the size of the scene: how far the dome is searched, so tha
 LIFT = 0.75  # samples off the surface; OpenGL knows depth at a corner of the sample, not at its centre
 ALIKE = 0.95  # cosine between normals of one surface
 FLUSH = 1.5  # samples by which points of one surface may leave each other's tangent planes
-GOLDEN = np.pi * (3.0 - np.sqrt(5.0))
 
 
 def light_seen(scene: RayScene, light: Light, frame: Frame, target: FloatArray) -> tuple[Values, Values]:
@@ -116,23 +116,3 @@ def _windows(shape: tuple[int, int]) -> Iterator[tuple[tuple[slice, slice], tupl
 
 def _shifted(step: int, length: int) -> tuple[slice, slice]:
     return slice(max(0, -step), length - max(0, step)), slice(max(0, step), length + min(0, step))
-
-
-def sphere_directions(count: int) -> FloatArray:
-    """Return `count` unit directions spread evenly over the sphere (a Fibonacci spiral), shape (count, 3)."""
-    z = 1.0 - (2.0 * np.arange(count) + 1.0) / count
-    angle = GOLDEN * np.arange(count)
-    ring = np.sqrt(1.0 - z * z)
-    return np.column_stack([ring * np.cos(angle), ring * np.sin(angle), z])
-
-
-def cone_directions(axis: FloatArray, radius: float, count: int) -> FloatArray:
-    """Return unit directions spread evenly over a cone about the unit `axis`, shape (count, 3)."""
-    side = np.cross(axis, np.eye(3)[np.argmin(np.abs(axis))])
-    side /= np.linalg.norm(side)
-    reach = radius * np.sqrt((np.arange(count) + 0.5) / count)
-    angle = GOLDEN * np.arange(count)
-    offset = np.outer(reach * np.cos(angle), side) + np.outer(reach * np.sin(angle), np.cross(axis, side))
-    result: FloatArray = axis + offset
-    result /= np.linalg.norm(result, axis=1, keepdims=True)
-    return result
