@@ -24,7 +24,7 @@ def sphere_directions(count: int) -> FloatArray:
 
 
 def cone_directions(axis: FloatArray, radius: float, count: int) -> FloatArray:
-    """Return `count` unit directions spread evenly within `radius` (small, rad) of the unit `axis` (3,), by rows."""
+    """Return `count` unit directions evenly within `radius` (rad, small) of the unit `axis`, shape (count, 3)."""
     first, second = across(axis)
     reach = radius * np.sqrt((np.arange(count) + 0.5) / count)
     angle = GOLDEN * np.arange(count)
