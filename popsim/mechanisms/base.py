@@ -33,6 +33,9 @@ BESIDE = 0.35
 BESIDE_OF_FACE = 0.3
 """and to at most this share of the side of a square as large as the face."""
 
+LEVEL = 0.5
+"""Plates whose normal rises by as much lie rather than stand upright."""
+
 
 @dataclass(frozen=True, eq=False)
 class Plate:
@@ -74,6 +77,11 @@ class Plate:
         if np.isnan(self.beside):
             size = float(np.sqrt(np.linalg.norm(area_vector(self.outline)) / 2))
             object.__setattr__(self, "beside", min(BESIDE * self.behind, BESIDE_OF_FACE * size))
+
+    @property
+    def lies(self) -> bool:
+        """Whether it lies rather than stands upright in the open pose."""
+        return bool(abs(self.outward[2]) >= LEVEL)
 
 
 @dataclass(frozen=True, eq=False)

@@ -23,9 +23,6 @@ REACH = 1e4
 GROOVE = 0.3
 """mm beyond the line at which paper counts as reaching beyond it."""
 
-UPRIGHT = 0.5
-"""Plates whose normal rises by less are upright."""
-
 RISEN = 0.5
 """Worth of an area that rises over a plate, beside that of one that lies beyond it."""
 
@@ -91,8 +88,7 @@ def _uncross(first: Run, second: Run) -> None:
 
 def _worth(run: Run) -> float:
     """What an overhang counts: what rises is shown by the far side too, what lies by nothing else."""
-    lies = abs(run.piece.plane.normal[2]) > UPRIGHT
-    return 1.0 if lies else RISEN
+    return 1.0 if run.piece.plate.lies else RISEN
 
 
 def _overhang(run: Run) -> "BaseGeometry":

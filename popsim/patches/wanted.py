@@ -28,10 +28,6 @@ REACH = 1e6
 """mm; beyond any model."""
 
 
-UPRIGHT = 0.5
-"""Plates whose normal rises by less stand on what is below them, which closes doorways at their foot."""
-
-
 def see(scene: RayScene, piece: Piece, settings: PatchSettings) -> None:
     """Give a piece the silhouette of the model on it; it may be empty or in parts.
 
@@ -47,7 +43,7 @@ def see(scene: RayScene, piece: Piece, settings: PatchSettings) -> None:
         piece.shape = union(hidden, *_fins(scene, piece, grid))
         return
     sight = look(scene, grid, piece.box, -REACH, depths(piece, grid, piece.room))
-    mask = sight.mask if piece.stands or _lies(piece) else sight.mask & ~legs(sight, piece)
+    mask = sight.mask if piece.stands or piece.plate.lies else sight.mask & ~legs(sight, piece)
     dents = _enclosed(mask, piece, grid)
     if dents.any():
         dents &= look(scene, grid, piece.box, -REACH, np.where(dents, REACH, np.nan)).mask
@@ -91,18 +87,13 @@ def _enclosed(mask: BoolArray, piece: Piece, grid: Grid) -> BoolArray:
 
     left, lower, right, _ = piece.face.bounds
     lines = list(piece.seams)
-    if not _lies(piece):
+    if not piece.plate.lies:
         lines.append(np.array([[left, lower - grid.pixel], [right, lower - grid.pixel]]))
     walls = np.pad(mask, 1)
     for line in lines:
         row, column = grid.pixels(line).T
         walls[np.clip(row + 1, 0, walls.shape[0] - 1), np.clip(column + 1, 0, walls.shape[1] - 1)] = True
     return np.asarray(binary_fill_holes(walls)[1:-1, 1:-1] & ~mask & grid.covered(piece.face))
-
-
-def _lies(piece: Piece) -> bool:
-    """Whether a piece lies rather than stands upright."""
-    return bool(abs(piece.plane.normal[2]) >= UPRIGHT)
 
 
 def depths(piece: Piece, grid: Grid, region: "BaseGeometry") -> FloatArray:
