@@ -1,5 +1,6 @@
 """Hinges need paper on both sides: where a silhouette misses its hinge line, strips of the face reach for it."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from typing import TYPE_CHECKING
@@ -31,6 +32,9 @@ LEVEL = 0.5
 
 ROUNDING = 1e-6
 """mm."""
+
+RISEN = 1.0
+"""mm beyond a line at which a fin is looked for, and beside it that its slit may take."""
 
 UNDER = 5.0
 """mm; what paper that is missing under a foot counts: less than a far silhouette, more than a near one."""
@@ -110,7 +114,8 @@ def hold(runs: list[Run], settings: PatchSettings, snap: float | None = None) ->
     """Give the pieces at a joint paper along its line where they hold; return whether strips had to be added.
 
     The outline goes to the line where it comes nearer than `snap` (None: that of the settings); if that is too
-    little of the line, ever farther stretches of it are joined to the line, the nearest ones first.
+    little of the line, ever farther stretches of it are joined to the line, the nearest ones first. Where a fin
+    passes the line there will be a slit: the hinge is held beside it, as far as there is room.
     """
     snap = settings.snap if snap is None else snap
     length = runs[0].length
@@ -118,7 +123,9 @@ def hold(runs: list[Run], settings: PatchSettings, snap: float | None = None) ->
     along = np.asarray((np.arange(count) + 0.5) * (length / count), np.float64)
     each = [run.distances(along) for run in runs]
     cost = np.max(each, axis=0)
-    near = _near(cost, along, length, snap, settings)
+    free = ~_pierced(runs, along)
+    beside = free.sum() * length / count >= least_hold(length, settings)
+    near = _near(np.where(free, cost, np.inf) if beside else cost, along, length, snap, settings)
     stretches = _stretches(near, along, length, settings)
     for run, distance in zip(runs, each, strict=True):
         for low, high in stretches:
@@ -127,6 +134,20 @@ def hold(runs: list[Run], settings: PatchSettings, snap: float | None = None) ->
             run.piece.shape = union(run.piece.shape, strip)
             run.piece.held.append(strip)
     return bool(cost[near].max() > snap)
+
+
+def _pierced(runs: Sequence[Run], along: FloatArray) -> BoolArray:
+    """Places at which a patch inside goes on beyond the line where one that is seen ends, which will be slit."""
+    import shapely
+
+    found = np.zeros(len(along), dtype=bool)
+    if not any(run.piece.plate.principal for run in runs):
+        return found
+    for run in runs:
+        if not run.piece.plate.principal and run.inward is not None:
+            above = run.places(along) - RISEN * run.inward
+            found |= shapely.contains_xy(run.piece.shape.buffer(RISEN), *above.T)
+    return found
 
 
 def least_hold(length: float, settings: PatchSettings) -> float:

@@ -8,6 +8,7 @@ from popsim.patches.settings import PatchSettings
 
 if TYPE_CHECKING:
     from shapely.geometry import Polygon
+    from shapely.geometry.base import BaseGeometry
 
 NEAR = 4.0
 """mm; islands nearer than this are joined by a bridge."""
@@ -20,6 +21,9 @@ SEEN_THROUGH = 6.0
 
 BRIDGE = 3.0
 """mm; width of bridges."""
+
+EDGE = 0.8
+"""Share of a bridge below which it runs along the edge of its room."""
 
 
 def finished(piece: Piece, settings: PatchSettings) -> tuple["Polygon", list[str]]:
@@ -49,15 +53,27 @@ def _one_piece(parts: list["Polygon"], piece: Piece) -> tuple["Polygon | None", 
 
 
 def _joined(main: "Polygon", island: "Polygon", piece: Piece) -> "Polygon":
-    """Two polygons joined by a bridge, or by all of the face between them."""
-    from shapely import shortest_line
+    """Two polygons joined by the shortest bridge that stays in the room, or by all of the face between them.
 
-    bridge = common(shortest_line(main, island).buffer(BRIDGE / 2, cap_style="square"), piece.room)
-    for link in (bridge, common(union(main, island).convex_hull, piece.face), piece.face):
+    Where a bridge would leave the room, as from one fin to another, it starts from what lies in the face.
+    """
+    bridges = [_bridge(start, island, piece.room) for start in (main, common(main, piece.face))]
+    for link in (*bridges, common(union(main, island).convex_hull, piece.face), piece.face):
         parts = polygons(union(main, island, link))
         if len(parts) == 1:
             return parts[0]
     return main
+
+
+def _bridge(start: "BaseGeometry", end: "BaseGeometry", room: "Polygon") -> "BaseGeometry":
+    """A strip along the shortest line between two shapes, within a room; to one side of it at an edge."""
+    from shapely import shortest_line
+
+    if start.is_empty:
+        return start
+    line = shortest_line(start, end)
+    middle = common(line.buffer(BRIDGE / 2, cap_style="square"), room)
+    return middle if middle.area > EDGE * BRIDGE * line.length else common(line.buffer(BRIDGE), room)
 
 
 def _without_small_holes(outline: "Polygon", piece: Piece, settings: PatchSettings) -> "Polygon":

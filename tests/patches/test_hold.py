@@ -87,6 +87,31 @@ def test_a_base_patch_gets_paper_around_a_foot_inside_it():
     assert sum(b - a for a, b in on_line(base.shape, 15.0)) >= 24.9
 
 
+def mast_on_a_low_hull():
+    """A patch inside whose upper hinge is held by nothing but a mast that goes on beyond it."""
+    return piece(union(box(0, 15, 100, 40), box(40, -30, 60, 15)), room=(-20, -40, 120, 50), principal=False)
+
+
+def test_a_hinge_is_held_beside_the_fin_that_passes_it():
+    inside, top = mast_on_a_low_hull(), piece(box(0, 0, 100, 40), name="T")
+    assert hold([Run.of(inside, LINE), Run.of(top, LINE)], SETTINGS)
+    stretches = on_line(inside.shape.difference(box(38.5, -50, 61.5, 50)))
+    assert sum(b - a for a, b in stretches) >= 24
+    assert all(b <= 39 or a >= 61 for a, b in on_line(union(*inside.held)))
+
+
+def test_a_fin_as_long_as_its_hinge_holds_it_with_what_there_is():
+    inside = piece(box(0, -30, 100, 40), room=(-20, -40, 120, 50), principal=False)
+    assert not hold([Run.of(inside, LINE), Run.of(piece(box(0, 0, 100, 40), name="T"), LINE)], SETTINGS)
+    assert on_line(inside.shape) == [(0, 100)]
+
+
+def test_without_a_patch_that_is_slit_the_mast_itself_holds():
+    inside = mast_on_a_low_hull()
+    hold([Run.of(inside, LINE)], SETTINGS)
+    assert any(a <= 40 and b >= 60 for a, b in on_line(inside.shape))
+
+
 def test_two_overhangs_at_one_hinge_do_not_cross():
     first = piece(union(box(0, 0, 100, 40), box(20, -10, 60, 0)), name="A")
     second = piece(union(box(0, 0, 100, 40), box(40, -5, 50, 0)), name="B")
@@ -135,6 +160,17 @@ def test_an_island_that_carries_a_hinge_is_always_joined():
     own.held.append(box(60, 0, 100, 2))
     outline, _ = finished(own, SETTINGS)
     assert outline.contains(box(61, 1, 99, 9)) and outline.contains(box(1, 21, 39, 49))
+
+
+def test_a_bridge_that_would_leave_the_room_starts_from_the_face():
+    face, mast = union(box(0, 0, 100, 20), box(70, 20, 80, 60)), box(42, 15, 48, 60)
+    own = piece(union(box(0, 0, 100, 15), mast, box(70, 52, 80, 60)))
+    own.face, own.room = face, union(face, box(40, 20, 50, 60))
+    own.held.append(box(70, 57, 80, 60))
+    before = own.shape.area
+    outline, _ = finished(own, SETTINGS)
+    assert outline.buffer(0.1).contains(own.shape)
+    assert outline.area - before == pytest.approx(3 * 40, abs=10)
 
 
 def test_nothing_at_all_gives_the_plain_face_with_a_note():
