@@ -2,13 +2,13 @@
 
 from typing import TYPE_CHECKING
 
-from popsim.patches.clean import common, polygons, simplified, straightened, tidy, union
+from popsim.patches.bridge import straight, way_round
+from popsim.patches.clean import polygons, simplified, straightened, tidy, union
 from popsim.patches.piece import Piece
 from popsim.patches.settings import PatchSettings
 
 if TYPE_CHECKING:
     from shapely.geometry import Polygon
-    from shapely.geometry.base import BaseGeometry
 
 NEAR = 4.0
 """mm; islands nearer than this are joined by a bridge."""
@@ -18,12 +18,6 @@ WORTHY = 20.0
 
 SEEN_THROUGH = 6.0
 """mm; a patch inside has no narrower holes."""
-
-BRIDGE = 3.0
-"""mm; width of bridges."""
-
-EDGE = 0.8
-"""Share of a bridge below which it runs along the edge of its room."""
 
 
 def finished(piece: Piece, settings: PatchSettings) -> tuple["Polygon", list[str]]:
@@ -53,27 +47,13 @@ def _one_piece(parts: list["Polygon"], piece: Piece) -> tuple["Polygon | None", 
 
 
 def _joined(main: "Polygon", island: "Polygon", piece: Piece) -> "Polygon":
-    """Two polygons joined by the shortest bridge that stays in the room, or by all of the face between them.
-
-    Where a bridge would leave the room, as from one fin to another, it starts from what lies in the face.
-    """
-    bridges = [_bridge(start, island, piece.room) for start in (main, common(main, piece.face))]
-    for link in (*bridges, common(union(main, island).convex_hull, piece.face), piece.face):
-        parts = polygons(union(main, island, link))
+    """Two polygons joined by a bridge: straight, or around what is no room; at worst by all of the face."""
+    for bridge in (straight, way_round):
+        parts = polygons(union(main, island, bridge(main, island, piece)))
         if len(parts) == 1:
             return parts[0]
-    return main
-
-
-def _bridge(start: "BaseGeometry", end: "BaseGeometry", room: "Polygon") -> "BaseGeometry":
-    """A strip along the shortest line between two shapes, within a room; to one side of it at an edge."""
-    from shapely import shortest_line
-
-    if start.is_empty:
-        return start
-    line = shortest_line(start, end)
-    middle = common(line.buffer(BRIDGE / 2, cap_style="square"), room)
-    return middle if middle.area > EDGE * BRIDGE * line.length else common(line.buffer(BRIDGE), room)
+    parts = polygons(union(main, island, piece.face))
+    return parts[0] if len(parts) == 1 else main
 
 
 def _without_small_holes(outline: "Polygon", piece: Piece, settings: PatchSettings) -> "Polygon":
