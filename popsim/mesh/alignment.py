@@ -21,6 +21,7 @@ from popsim.mesh.formats import format_of
 from popsim.mesh.heading import Heading, choose_heading
 from popsim.mesh.level import SQUARE, Level, lean, levelled
 from popsim.mesh.model import Model
+from popsim.mesh.on_edge import set_on_edge
 from popsim.mesh.sampling import sample_surface
 from popsim.mesh.symmetry import MirrorPlane
 from popsim.mesh.up_axis import UpChoice, choose_up, stated_up
@@ -160,7 +161,8 @@ def _turn_of(method: str) -> float:
 def _up(model: Model, up: str, seed: int) -> UpChoice:
     if up != "auto":
         return stated_up(up)
-    return choose_up(model.surface, sample_surface(model.surface, SAMPLES, seed=seed), format_of(model.path).up)
+    samples = sample_surface(model.surface, SAMPLES, seed=seed)
+    return set_on_edge(model.surface, samples, choose_up(model.surface, samples, format_of(model.path).up))
 
 
 def _headings(surface: Surface, basis: FloatArray, method: str) -> tuple[list[Peak], str]:
