@@ -33,6 +33,7 @@ ROOMS = {
     "pyrender": {"rendering"},
     "OpenGL": {"rendering"},
     "embreex": {"rendering"},
+    "cv2": {"fitting"},
     "reportlab": {"export"},
     "yaml": {"pipeline"},
     "drawsvg": {"export"},

@@ -16,7 +16,6 @@ from popsim.fitting.fronts import Fronts
 from popsim.fitting.stencil import Stencil
 from popsim.fitting.views import PIXELS, Views
 from popsim.geometry.arrays import FloatArray
-from popsim.geometry.plane import Plane
 from popsim.mechanisms import AS_THEY_ARE, Depths, Mechanism, Plate, plates_together
 
 if TYPE_CHECKING:
@@ -30,9 +29,6 @@ REMEMBERED = 4000
 
 GRAIN = 0.006
 """Side of the cells of stencils, as a share of the diagonal: gaps up to about that are closed."""
-
-SQUARE = 0.9999
-"""|cos| of a normal to an axis above which a plate stands square."""
 
 OUTLINE, DEPTH = 2 / 3, 1 / 3
 """Weights of silhouette and relief: an outline that is wrong is seen first."""
@@ -92,7 +88,7 @@ class Appearance:
 
     @cached_property
     def _fronts(self) -> Fronts:
-        return Fronts.of(self.scene, self.bounds)
+        return Fronts.of(self.scene, self.bounds, self.grain)
 
     def _picture(self, plate: Plate) -> tuple[FloatArray, FloatArray]:
         """Pixels of all views in which a plate shows as contours will leave it, and its depth there."""
@@ -101,25 +97,9 @@ class Appearance:
         key = plate.outline.tobytes() + plate.room.tobytes() + plate.outward.tobytes() + depths.tobytes()
         found = self.known.get(key)
         if found is None:
-            found = self._drawn(plate)
+            pixels, depth = self.views.drawn(Stencil.of(plate, self._fronts))
+            found = pixels.astype(np.int32), depth.astype(np.float32)
             if len(self.known) >= REMEMBERED:
                 self.known.pop(next(iter(self.known)))
             self.known[key] = found
         return found
-
-    def _drawn(self, plate: Plate) -> tuple[FloatArray, FloatArray]:
-        plane = Plane.through(plate.outline)
-        corners = self._around(plate)
-        pixels, points, depth = self.views.cast(corners, plane.normal)
-        stencil = Stencil.of(plate, plane, corners, self._fronts, self.grain)
-        shown = stencil.shows(points)
-        return pixels[shown].astype(np.int32), depth[shown].astype(np.float32)
-
-    def _around(self, plate: Plate) -> FloatArray:
-        """Corners around all of a plate on which the model can show, those of its face first, shape (n, 3)."""
-        assert plate.room is not None  # plates give themselves room
-        room = plate.room
-        if np.abs(plate.outward).max() > SQUARE:
-            low = np.minimum(self.bounds[0], plate.outline.min(axis=0))
-            room = np.clip(room, low, np.maximum(self.bounds[1], plate.outline.max(axis=0)))
-        return np.concatenate([plate.outline, room])

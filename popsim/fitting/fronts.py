@@ -5,13 +5,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from popsim.fitting.slant import ACROSS
 from popsim.geometry.arrays import FloatArray
 
 if TYPE_CHECKING:
     from popsim.rendering.ray_scene import RayScene
-
-PIXELS = 160
-"""Pixels along the longest side of the model."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -20,29 +18,28 @@ class Fronts:
 
     Attributes
     ----------
-    low:
-        Corner where the pixels start, shape (3,), mm.
+    bounds:
+        The box in which it is looked at, rows low and high, shape (2, 3), mm.
     pixel:
         Side of a pixel, mm.
     maps:
         By axis, then by end (high end first): least distance from that end, as a coordinate times the sign of the
-        end, -inf where there is no model; indexed by the pixels of the other axes.
+        end, -inf where there is no model; indexed by the pixels of the other axes, with one more, without model,
+        on all sides of the box.
     """
 
-    low: FloatArray
+    bounds: FloatArray
     pixel: float
     maps: tuple[tuple[FloatArray, FloatArray], ...]
 
     @staticmethod
-    def of(scene: "RayScene", bounds: FloatArray) -> "Fronts":
-        """Look at a model in a box, rows low and high, shape (2, 3)."""
+    def of(scene: "RayScene", bounds: FloatArray, pixel: float) -> "Fronts":
+        """Look at a model in a box with pixels of a given side, mm."""
         low, size = bounds[0], bounds[1] - bounds[0]
-        pixel = float(size.max()) / PIXELS
         far = float(np.abs(bounds).max() + size.max())
         maps = []
-        for axis in range(3):
-            first, second = (k for k in range(3) if k != axis)
-            grid = [low[k] + (np.arange(int(np.ceil(size[k] / pixel)) + 1) + 0.5) * pixel for k in (first, second)]
+        for axis, (first, second) in enumerate(ACROSS):
+            grid = [low[k] + (np.arange(np.ceil(size[k] / pixel)) + 0.5) * pixel for k in (first, second)]
             a, b = np.meshgrid(*grid, indexing="ij")
             origins = np.empty((a.size, 3))
             origins[:, first], origins[:, second] = a.ravel(), b.ravel()
@@ -51,21 +48,28 @@ class Fronts:
                 origins[:, axis] = sign * far
                 direction = np.zeros((1, 3))
                 direction[0, axis] = -sign
-                ends.append((far - scene.hit(origins, direction).distance).reshape(a.shape))
+                reach = (far - scene.hit(origins, direction).distance).reshape(a.shape)
+                ends.append(np.pad(reach, 1, constant_values=-np.inf))
             maps.append((ends[0], ends[1]))
-        return Fronts(low, pixel, tuple(maps))
+        return Fronts(bounds, pixel, tuple(maps))
 
-    def behind(self, points: FloatArray, outward: FloatArray) -> FloatArray:
-        """How far behind points (n, 3) the model lies, seen from the end of the axes that `outward` faces most.
+    def reach(self, axis: int, sign: int, s: FloatArray, t: FloatArray) -> FloatArray:
+        """How far out the model reaches towards an end of an axis, as in `maps`, over a grid.
 
-        Negative where it lies before them, inf where there is none, mm, shape (n,).
+        Parameters
+        ----------
+        axis, sign:
+            0 x, 1 y, 2 z; 1 for its high end, -1 for its low one.
+        s, t:
+            Coordinates along the other axes of the rows and columns of the grid, shapes (r,) and (c,).
+
+        Returns
+        -------
+        numpy.ndarray
+            Shape (r, c).
         """
-        axis = int(np.abs(outward).argmax())
-        sign = 1 if outward[axis] > 0 else -1
-        front = self.maps[axis][0 if sign > 0 else 1]
-        cells = np.floor((points - self.low) / self.pixel).astype(np.int64)
-        first, second = (cells[:, k] for k in range(3) if k != axis)
-        inside = (first >= 0) & (first < front.shape[0]) & (second >= 0) & (second < front.shape[1])
-        reach = np.full(len(points), -np.inf)
-        reach[inside] = front[first[inside], second[inside]]
-        return np.asarray(sign * points[:, axis] - reach)
+        found = self.maps[axis][0 if sign > 0 else 1]
+        for place, (across, values) in enumerate(zip(ACROSS[axis], (s, t), strict=True)):
+            cells = np.floor((values - self.bounds[0, across]) / self.pixel).astype(np.int64) + 1
+            found = found.take(cells.clip(0, found.shape[place] - 1), axis=place)
+        return found

@@ -1,113 +1,129 @@
-"""Where on a plate the model will show once contours are cut, on a grid in its plane."""
+"""Where on a plate the model will show once contours are cut."""
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
 from popsim.fitting.fronts import Fronts
+from popsim.fitting.slant import ACROSS, Slant
 from popsim.geometry.arrays import BoolArray, FloatArray, IntArray
-from popsim.geometry.plane import Plane
 from popsim.mechanisms import Plate
 
 SPARSE = 0.25
 """A face on which the model shows on less than this share stays whole: its hinges need paper to hold."""
 
-LEVEL = 0.5
-"""A plate whose normal rises by more lies, and has no foot."""
-
 RECTANGLE, STRAIGHT = 4, 1e-9
 """Corners of a rectangle along the axes, and by how little, mm, its edges leave them."""
+
+ALONG = 0.5
+"""A plate whose normal makes a greater |cos| with y does not go on over the fold."""
+
+MARGIN = 2
+"""Cells around all that can show; the outermost ones show nothing."""
 
 
 @dataclass(frozen=True, eq=False)
 class Stencil:
-    """Cells of the plane of a plate.
+    """A mask over the plane of a plate.
 
     Attributes
     ----------
-    plane:
+    slant:
         The plane.
-    outline:
-        Face of the plate in the plane, shape (n, 2).
     low, grain:
-        Corner where the cells start, shape (2,), and their side, mm.
-    face, beyond:
-        Whether the plate shows the model at a cell, were it in the face, or beyond it; indexed by u and v.
+        Corner where the cells start, and their sides, along the coordinates of the slant, mm, each of shape (2,).
+    mask:
+        In which cells the model shows, shape (n, m).
     """
 
-    plane: Plane
-    outline: FloatArray
+    slant: Slant
     low: FloatArray
-    grain: float
-    face: BoolArray
-    beyond: BoolArray
+    grain: FloatArray
+    mask: BoolArray
 
     @staticmethod
-    def of(plate: Plate, plane: Plane, corners: FloatArray, fronts: Fronts, grain: float) -> "Stencil":
+    def of(plate: Plate, fronts: Fronts) -> "Stencil":
         """Hold a plate against a model.
 
         Within the face what lies no deeper shows, and what that encloses; beyond the face what lies near, but not
         what hangs in the air there or is but a seam along the face. Patches inside show what both sides hide.
-
-        Parameters
-        ----------
-        plate, plane:
-            The plate and its plane.
-        corners:
-            Around all that can show, shape (n, 3).
-        fronts:
-            The model.
-        grain:
-            Side of the cells, mm.
         """
         assert plate.room is not None  # plates give themselves room
-        flat = plane.flat(corners)
-        low = flat.min(axis=0) - grain
-        shape = np.ceil((flat.max(axis=0) - low) / grain).astype(np.int64) + 1
-        cells = np.stack(np.meshgrid(*map(np.arange, shape), indexing="ij"), axis=-1).reshape(-1, 2)
-        centres = low + (cells + 0.5) * grain
-        points = plane.lift(centres)
-        outline, room = plane.flat(plate.outline), plane.flat(plate.room)
-        own = within(centres, outline)
-        free = ~own & within(centres, room)
-        behind = fronts.behind(points, plate.outward)
-        shown, near, there = behind <= plate.behind, behind <= plate.beside, np.isfinite(behind)
-        if not plate.principal:
-            other = fronts.behind(points, -plate.outward)
-            shown = there & np.isfinite(other)
-            near = near & (other <= plate.beside)
-            there = there | np.isfinite(other)
-        face, inside, beyond, there = (each.reshape(shape) for each in (shown & there, own, near & free, there))
-        if (there & inside & ~face).any():
-            walls = _walls(plate, points[:, 1].reshape(shape), inside)
-            face = face | (_enclosed((face & inside) | beyond, walls) & inside & there)
-        if plate.principal and (face & inside).sum() < SPARSE * inside.sum():
-            face = np.ones_like(face)
-        return Stencil(plane, outline, low, grain, face, _attached(face & inside, inside, beyond))
+        slant = Slant.of(plate.outward, plate.outline[0])
+        outline, room = slant.seen(plate.outline), slant.seen(plate.room)
+        low, grain, (s, t) = _cells(outline, room, fronts.bounds[:, ACROSS[slant.axis]], fronts.pixel)
+        inside = within(s, t, outline)
+        free = within(s, t, room) & ~inside
+        face, near, there = _seen(plate, slant, s, t, fronts)
+        beyond, shown = near & free, face & inside
+        dents = there & inside & ~face
+        if dents.any():
+            shown = shown | (_enclosed(shown | _grown(beyond) | _walls(plate, slant, (s, t), inside)) & dents)
+        if plate.principal and np.count_nonzero(shown) < SPARSE * np.count_nonzero(inside):
+            shown = inside
+        return Stencil(slant, low, grain, shown | (_attached(shown, inside, beyond) & ~inside))
 
-    def shows(self, points: FloatArray) -> BoolArray:
-        """At which points (n, 3) of the plane the model shows."""
-        flat = self.plane.flat(points)
-        own = within(flat, self.outline)
-        cells: IntArray = np.floor((flat - self.low) / self.grain).astype(np.int64)
-        x, y = np.clip(cells, 0, np.array(self.face.shape) - 1).T
-        return np.asarray(np.where(own, self.face[x, y], self.beyond[x, y]))
+    @cached_property
+    def box(self) -> tuple[FloatArray, FloatArray]:
+        """Low and high corner of what shows, each of shape (2,)."""
+        cells = [np.flatnonzero(self.mask.any(axis=1 - k)) for k in (0, 1)]
+        first, last = (np.array([own[end] if len(own) else 0 for own in cells]) for end in (0, -1))
+        return self.low + first * self.grain, self.low + (last + 1) * self.grain
 
 
-def _walls(plate: Plate, y: FloatArray, inside: BoolArray) -> BoolArray:
+def _cells(
+    outline: FloatArray, room: FloatArray, bounds: FloatArray, side: float
+) -> tuple[FloatArray, FloatArray, tuple[FloatArray, FloatArray]]:
+    """Cells of about one side over a face and what of its room lies in the bounds of a model.
+
+    The face begins and ends with a cell.
+
+    Returns
+    -------
+    tuple
+        Corner where the cells start (2,), their sides (2,), and the coordinates of their rows (n, 1) and columns
+        (1, m).
+    """
+    least, most = outline.min(axis=0), outline.max(axis=0)
+    grain = (most - least) / np.maximum(np.round((most - least) / side), 1)
+    lowest = np.minimum(least, np.maximum(room.min(axis=0), bounds[0]))
+    highest = np.maximum(most, np.minimum(room.max(axis=0), bounds[1]))
+    start = np.floor((lowest - least) / grain).astype(np.int64) - MARGIN
+    stop = np.ceil((highest - least) / grain).astype(np.int64) + MARGIN
+    s, t = (least[k] + (np.arange(start[k], stop[k]) + 0.5) * grain[k] for k in (0, 1))
+    return least + start * grain, grain, (s[:, None], t[None])
+
+
+def _seen(
+    plate: Plate, slant: Slant, s: FloatArray, t: FloatArray, fronts: Fronts
+) -> tuple[BoolArray, BoolArray, BoolArray]:
+    """Where a plate would show the model in its face, where beyond it, and where there is any."""
+    place = slant.along(s, t)
+    behind = slant.sign * place - fronts.reach(slant.axis, slant.sign, s[:, 0], t[0])
+    near, there = behind <= plate.beside, np.isfinite(behind)
+    if plate.principal:
+        return (behind <= plate.behind) & there, near & there, there
+    other = -slant.sign * place - fronts.reach(slant.axis, -slant.sign, s[:, 0], t[0])
+    hidden = np.isfinite(other)
+    return there & hidden, near & (other <= plate.beside), there | hidden
+
+
+def _walls(plate: Plate, slant: Slant, cells: tuple[FloatArray, FloatArray], inside: BoolArray) -> BoolArray:
     """Cells at the foot of an upright face, and those over the fold, where it goes on on the other side.
 
-    `y` and `inside` are of all cells: how far from the fold, and whether in the face.
+    `cells` are the coordinates of their rows and columns, `inside` tells which are in the face.
     """
     walls = np.zeros(inside.shape, dtype=bool)
     columns, rows = np.flatnonzero(inside.any(axis=1)), np.flatnonzero(inside.any(axis=0))
     if not len(columns):
         return walls
     across, along = slice(columns[0], columns[-1] + 1), slice(rows[0], rows[-1] + 1)
-    if abs(plate.outward[2]) < LEVEL:
+    if not plate.lies:
         walls[across, max(rows[0] - 1, 0)] = True
-    if abs(plate.outward[1]) < LEVEL:
-        beyond = np.sign(plate.outline[:, 1].sum()) * y <= 0
+    if abs(plate.outward[1]) < ALONG:
+        y = cells[ACROSS[slant.axis].index(1)]
+        beyond = np.broadcast_to(np.sign(plate.outline[:, 1].sum()) * y <= 0, inside.shape)
         walls[_widened(across), along] |= beyond[_widened(across), along]
         walls[across, _widened(along)] |= beyond[across, _widened(along)]
     return walls
@@ -118,11 +134,22 @@ def _widened(span: slice) -> slice:
     return slice(max(span.start - 1, 0), span.stop + 1)
 
 
-def _enclosed(mask: BoolArray, walls: BoolArray) -> BoolArray:
-    """Cells amid a mask and walls."""
-    from scipy.ndimage import binary_fill_holes
+def _parts(mask: BoolArray) -> tuple[int, IntArray]:
+    """Parts of a mask that hang together by the sides of cells: their number with 0, the rest, and each cell's."""
+    from cv2 import connectedComponents
 
-    return np.asarray(binary_fill_holes(mask | walls)) & ~mask
+    count, parts = connectedComponents(mask.view(np.uint8), connectivity=4)
+    return count, np.asarray(parts, dtype=np.int64)
+
+
+def _enclosed(closed: BoolArray) -> BoolArray:
+    """Closed cells, and those from which there is no way out."""
+    count, parts = _parts(~closed)
+    inner = np.ones(count, dtype=bool)
+    for border in (parts[0], parts[-1], parts[:, 0], parts[:, -1]):
+        inner[border] = False
+    inner[0] = True
+    return np.asarray(inner[parts])
 
 
 def _grown(mask: BoolArray, around: bool = False) -> BoolArray:
@@ -139,27 +166,24 @@ def _grown(mask: BoolArray, around: bool = False) -> BoolArray:
 
 def _attached(shown: BoolArray, inside: BoolArray, beyond: BoolArray) -> BoolArray:
     """What hangs together with what a face shows, and is more than a seam along it."""
-    from scipy.ndimage import label
-
     if not beyond.any():
         return beyond
     far = beyond & ~_grown(inside)
     kept = far | (beyond & _grown(far, around=True))
-    parts, count = label(_grown(shown | kept))
-    joined = np.zeros(count + 1, dtype=bool)
+    count, parts = _parts(_grown(shown | kept))
+    joined = np.zeros(count, dtype=bool)
     joined[parts[shown]] = True
     return np.asarray(_grown(kept) & joined[parts])
 
 
-def within(points: FloatArray, ring: FloatArray) -> BoolArray:
-    """Whether points (n, 2) lie in a simple polygon (m, 2)."""
-    x, y = points.T
-    edges = np.roll(ring, -1, axis=0) - ring
-    if len(ring) == RECTANGLE and (np.abs(edges) < STRAIGHT).any(axis=1).all():
+def within(x: FloatArray, y: FloatArray, ring: FloatArray) -> BoolArray:
+    """Whether points lie in a simple polygon (n, 2); their coordinates have any shapes that broadcast."""
+    following = ring[[*range(1, len(ring)), 0]]
+    if len(ring) == RECTANGLE and (np.abs(following - ring).min(axis=1) < STRAIGHT).all():
         (left, lower), (right, upper) = ring.min(axis=0), ring.max(axis=0)
-        return np.asarray((x > left) & (x < right) & (y > lower) & (y < upper))
-    inside = np.zeros(len(points), dtype=bool)
-    for (x0, y0), (x1, y1) in zip(ring, np.roll(ring, -1, axis=0), strict=True):
+        return np.asarray(((x > left) & (x < right)) & ((y > lower) & (y < upper)))
+    inside = np.zeros(np.broadcast_shapes(x.shape, y.shape), dtype=bool)
+    for (x0, y0), (x1, y1) in zip(ring, following, strict=True):
         if y0 == y1:
             continue
         crosses = (y0 > y) != (y1 > y)

@@ -5,7 +5,9 @@ from functools import cached_property
 
 import numpy as np
 
-from popsim.geometry.arrays import FloatArray, IntArray
+from popsim.fitting.slant import ACROSS
+from popsim.fitting.stencil import Stencil
+from popsim.geometry.arrays import BoolArray, FloatArray, IntArray
 
 PIXELS = 64
 """Pixels along the diagonal of the model, in each view."""
@@ -65,36 +67,77 @@ class Views:
 
     def rays(self) -> tuple[FloatArray, FloatArray]:
         """Origins and directions of the rays of all pixels, view after view, shape (9 p, 3)."""
-        steps = self.diagonal * ((np.arange(self.pixels) + 0.5) / self.pixels - 0.5)
-        up, across = (grid.reshape(-1, 1) for grid in np.meshgrid(steps, steps, indexing="ij"))
+        across, up = (steps.reshape(*self.shape, 1) for steps in self._steps)
         right, rise, eye = self.axes[:, None, 0], self.axes[:, None, 1], self.axes[:, None, 2]
         origins = self.centre + across * right + up * rise + self.diagonal * eye
         directions = np.broadcast_to(-eye, origins.shape)
         return origins.reshape(-1, 3), directions.reshape(-1, 3)
 
-    def cast(self, corners: FloatArray, normal: FloatArray) -> tuple[IntArray, FloatArray, FloatArray]:
-        """Find the pixels of all views around the corners (n, 3) of a polygon, and where they meet its plane.
+    def drawn(self, stencil: Stencil) -> tuple[IntArray, FloatArray]:
+        """Draw a stencil into all views that see its plane.
 
         Returns
         -------
         tuple
-            Index of each pixel in the order of :meth:`rays`, shape (k,); the point of the plane that it sees,
-            shape (k, 3); and how far that is from the origin of its ray, mm, shape (k,).
+            Index of each pixel in which it shows, in the order of :meth:`rays`, shape (k,), and how far what shows
+            there is from the origin of its ray, mm, shape (k,).
         """
-        facing = self.axes[:, 2] @ normal
-        views = np.flatnonzero(np.abs(facing) > EDGE_ON)
-        flat = (corners - self.centre) @ self.axes[views, :2].transpose(0, 2, 1) / self.diagonal + 0.5
-        low = np.clip(np.ceil(flat.min(axis=1) * self.pixels - 0.5).astype(np.int64), 0, self.pixels)
-        high = np.clip(np.floor(flat.max(axis=1) * self.pixels - 0.5).astype(np.int64) + 1, low, self.pixels)
-        wide, tall = (high - low).T
-        count = wide * tall
-        which = np.repeat(np.arange(len(views)), count)
-        number = np.arange(count.sum()) - np.repeat(np.cumsum(count) - count, count)
-        column, row = low[which, 0] + number % wide[which], low[which, 1] + number // wide[which]
-        right, rise, eye = (self.axes[views[which], k] for k in range(3))
-        across = self.diagonal * ((column + 0.5) / self.pixels - 0.5)
-        up = self.diagonal * ((row + 0.5) / self.pixels - 0.5)
-        ahead = (corners[0] - self.centre) @ normal - across * (right @ normal) - up * (rise @ normal)
-        ahead /= facing[views[which]]
-        points = self.centre + across[:, None] * right + up[:, None] * rise + ahead[:, None] * eye
-        return views[which] * self.pixels * self.pixels + row * self.pixels + column, points, self.diagonal - ahead
+        slant = stencil.slant
+        equation = slant.equation
+        right, rise, eye = (self.axes @ equation).T
+        corners = (slant.corners(*stencil.box) - self.centre) @ self.axes[:, :2].transpose(0, 2, 1)
+        ends = corners.min(axis=1), corners.max(axis=1)
+        low, high = (np.round((end / self.diagonal + 0.5) * self.pixels).astype(np.int64) for end in ends)
+        low, high = low.clip(0, self.pixels), high.clip(0, self.pixels)
+        views = np.flatnonzero((np.abs(eye) > EDGE_ON * np.linalg.norm(equation)) & (high > low).all(axis=1))
+        offset = np.full(len(views), slant.level - self.centre @ equation)
+        ahead = np.column_stack([-right[views], -rise[views], offset]) / eye[views, None]
+        places = ahead[:, None] * self.axes[views, 2, :, None]
+        places[:, :, 2] += self.centre
+        places[:, :, :2] += self.axes[views, :2].transpose(0, 2, 1)
+        cells = (places[:, ACROSS[slant.axis]] - stencil.low[:, None] * [0, 0, 1]) / stencil.grain[:, None]
+        found = self._pasted(stencil.mask, views, low[views], high[views], cells @ self._of_pixel)
+        count = np.searchsorted(found, self.pixels**2 * np.append(views, len(self.axes)))
+        away = np.repeat([0, 0, self.diagonal] - ahead, np.diff(count), axis=0)
+        across, up = (steps[found] for steps in self._steps)
+        return found, away[:, 0] * across + away[:, 1] * up + away[:, 2]
+
+    def _pasted(
+        self, mask: BoolArray, views: IntArray, low: IntArray, high: IntArray, cells: FloatArray
+    ) -> IntArray:
+        """Indices of the pixels in which a mask shows.
+
+        Parameters
+        ----------
+        mask:
+            Shape (n, m).
+        views:
+            Those into which it is drawn, shape (v,).
+        low, high:
+            First pixel, and that behind the last one, shape (v, 2).
+        cells:
+            Which cell each pixel shows: affine functions of column, row and 1, shape (v, 2, 3).
+        """
+        from cv2 import INTER_NEAREST, WARP_INVERSE_MAP, warpAffine
+
+        picture = mask.view(np.uint8)
+        canvas = np.zeros((len(self.axes), self.pixels, self.pixels), dtype=np.uint8)
+        starts = np.column_stack([low + 0.5, np.ones(len(low))])
+        cells = cells[:, ::-1].copy()  # columns first
+        cells[:, :, 2] = (cells * starts[:, None]).sum(axis=2) - 0.5  # of whole numbers, to whole numbers
+        for view, (x0, y0), (x1, y1), affine in zip(views, low, high, cells, strict=True):
+            seen = canvas[view, y0:y1, x0:x1]
+            warpAffine(picture, affine, seen.shape[::-1], dst=seen, flags=INTER_NEAREST | WARP_INVERSE_MAP)
+        return np.flatnonzero(canvas)
+
+    @cached_property
+    def _of_pixel(self) -> FloatArray:
+        """How far a pixel lies right of the centre, over it, and 1, as functions of column, row and 1."""
+        side, half = self.diagonal / self.pixels, self.diagonal / 2
+        return np.array([[side, 0, -half], [0, side, -half], [0, 0, 1]])
+
+    @cached_property
+    def _steps(self) -> tuple[FloatArray, FloatArray]:
+        """How far the pixels of all views lie right of the centre, and over it, mm, each of shape (9 p,)."""
+        steps = self.diagonal * ((np.arange(self.pixels) + 0.5) / self.pixels - 0.5)
+        return np.tile(steps, len(self.axes) * self.pixels), np.tile(np.repeat(steps, self.pixels), len(self.axes))

@@ -48,11 +48,8 @@ def plates_together(mechanisms: Sequence[Mechanism], depths: Depths = AS_THEY_AR
                 plate = _before(plate, other.pair)
         if abs(plate.outward[1]) > ALONG:
             above = [other for other in carried[owner.id] if other.pair.kind is PairKind.OPENING]
-            plate = _below(plate, above, ranges)
-        behind, beside = depths.get(owner.patch_id(plate.role), (1.0, 1.0))
-        if (behind, beside) == (1.0, 1.0):
-            return plate
-        return replace(plate, behind=behind * plate.behind, beside=beside * plate.beside)
+            plate = _below(plate, tuple((*ranges[other.id], other.pair.v) for other in above))
+        return _deepened(plate, *depths.get(owner.patch_id(plate.role), (1.0, 1.0)))
 
     return {
         mechanism.id: tuple(fitted(plate, mechanism) for plate in plates_of(mechanism)) for mechanism in mechanisms
@@ -76,9 +73,10 @@ def _subtree_ranges(mechanisms: Sequence[Mechanism]) -> dict[str, tuple[float, f
     return ranges
 
 
-def _below(plate: Plate, standing: Sequence[Mechanism], ranges: Mapping[str, tuple[float, float]]) -> Plate:
-    """A plate along the fold whose room ends where others stand above it."""
-    if not standing or plate.room is None:
+@lru_cache(maxsize=4096)
+def _below(plate: Plate, taken: tuple[tuple[float, float, float], ...]) -> Plate:
+    """A plate along the fold whose room ends where others stand above it: over some x, from some height on."""
+    if not taken or plate.room is None:
         return plate
     from shapely import box as block
     from shapely import union_all
@@ -86,11 +84,18 @@ def _below(plate: Plate, standing: Sequence[Mechanism], ranges: Mapping[str, tup
 
     face, room = (Polygon(ring[:, [0, 2]]) for ring in (plate.outline, plate.room))
     top = room.bounds[3] + 1.0
-    taken = union_all([block(ranges[m.id][0], m.pair.v, ranges[m.id][1], top) for m in standing])
-    left = union_all([face, room.difference(taken)])
+    left = union_all([face, room.difference(union_all([block(x0, z, x1, top) for x0, x1, z in taken]))])
     parts = [part for part in getattr(left, "geoms", [left]) if part.intersects(face)]
     ring: FloatArray = np.array(max(parts, key=lambda part: part.area).exterior.coords)[:-1]
     return replace(plate, room=np.column_stack([ring[:, 0], np.full(len(ring), plate.outline[0, 1]), ring[:, 1]]))
+
+
+@lru_cache(maxsize=4096)
+def _deepened(plate: Plate, behind: float, beside: float) -> Plate:
+    """A plate that shows the model so many times as deep behind its face, and beyond it."""
+    if behind == beside == 1.0:
+        return plate
+    return replace(plate, behind=behind * plate.behind, beside=beside * plate.beside)
 
 
 def _near(plate: Plate, child: Mechanism) -> bool:

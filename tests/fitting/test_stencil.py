@@ -7,7 +7,6 @@ from fitting_surfaces import block, surface
 from popsim.design import Card
 from popsim.fitting.fronts import Fronts
 from popsim.fitting.stencil import Stencil, within
-from popsim.geometry.plane import Plane
 from popsim.mechanisms import card_pair
 from popsim.mechanisms.box_fold import BoxFold
 from popsim.rendering.ray_scene import RayScene
@@ -17,15 +16,11 @@ BOX = BoxFold.plain("M1", card_pair(Card(x=(-300, 300), depth=300)), 30.0, 40.0,
 BODY = block((-50, -30, 0), (50, 30, 40))
 
 
-def stencil(role, *parts):
-    plate = next(plate for plate in BOX.plates() if plate.role == role)
-    fronts = Fronts.of(RayScene(surface(*parts)), BOUNDS)
-    corners = np.concatenate([plate.outline, np.clip(plate.room, BOUNDS[0], BOUNDS[1])])
-    return Stencil.of(plate, Plane.through(plate.outline), corners, fronts, 1.0)
-
-
 def shows(role, points, *parts):
-    return stencil(role, *parts).shows(np.array(points, float)).tolist()
+    plate = next(plate for plate in BOX.plates() if plate.role == role)
+    stencil = Stencil.of(plate, Fronts.of(RayScene(surface(*parts)), BOUNDS, 1.0))
+    cells = (stencil.slant.seen(np.array(points, float)) - stencil.low) / stencil.grain
+    return [bool(stencil.mask[x, y]) for x, y in np.floor(cells).astype(int)]
 
 
 def test_a_side_shows_all_of_a_box_and_nothing_over_it():
@@ -72,4 +67,4 @@ def test_points_lie_within_rectangles_and_others_alike(turn):
     matrix = np.array([[np.cos(turn), np.sin(turn)], [-np.sin(turn), np.cos(turn)]])
     points = np.random.default_rng(1).uniform(-6, 6, (400, 2))
     inside = (np.abs(points) < [4, 2]).all(axis=1)
-    assert (within(points @ matrix, ring @ matrix) == inside).all()
+    assert (within(*(points @ matrix).T, ring @ matrix) == inside).all()

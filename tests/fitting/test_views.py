@@ -7,6 +7,8 @@ from fitting_surfaces import block, surface
 from popsim.design import Card
 from popsim.fitting.appearance import Appearance
 from popsim.fitting.fronts import Fronts
+from popsim.fitting.slant import Slant
+from popsim.fitting.stencil import Stencil
 from popsim.fitting.views import PIXELS, Views, view_directions
 from popsim.mechanisms import card_pair
 from popsim.mechanisms.box_fold import BoxFold
@@ -16,29 +18,52 @@ BOUNDS = np.array([[-50.0, -30.0, 0.0], [50.0, 30.0, 40.0]])
 SCENE = RayScene(surface(block(tuple(BOUNDS[0]), tuple(BOUNDS[1]))))
 
 
-def test_pixels_meet_a_plane_where_their_rays_do():
+SLOPE = Slant.of(np.array([0.6, 0.0, 0.8]), np.array([40.0, 0.0, 10.0]))
+
+
+def whole(slant):
+    """All of a plane over a square of 40 mm."""
+    return Stencil(slant, np.array([-20.0, -20.0]), np.array([1.0, 1.0]), np.ones((40, 40), dtype=bool))
+
+
+def test_a_slant_names_the_points_of_its_plane_by_two_coordinates():
+    points = np.array([[40.0, -20, 10], [40, 20, 10], [-40, 20, 70]])
+    assert SLOPE.axis == 2 and SLOPE.sign == 1
+    assert SLOPE.along(*SLOPE.seen(points).T) == pytest.approx(points[:, 2])
+    assert (points - [40, 0, 10]) @ SLOPE.equation == pytest.approx([0, 0, 0])
+
+
+def test_pixels_see_a_stencil_where_their_rays_meet_its_plane():
     views = Views.of(BOUNDS)
-    normal = np.array([0.6, 0.0, 0.8])
-    corners = np.array([[40, -20, 10], [40, 20, 10], [-40, 20, 70], [-40, -20, 70.0]])
-    pixels, points, depth = views.cast(corners, normal)
+    pixels, depth = views.drawn(whole(SLOPE))
     origins, directions = views.rays()
-    assert np.abs((points - corners[0]) @ normal).max() < 1e-9
-    assert np.abs(origins[pixels] + depth[:, None] * directions[pixels] - points).max() < 1e-9
+    points = origins[pixels] + depth[:, None] * directions[pixels]
+    assert np.abs((points - [40, 0, 10]) @ SLOPE.equation).max() < 1e-9
+    assert np.abs(points[:, :2]).max() < 20.01
+    rays = directions @ SLOPE.equation
+    meets = (
+        origins
+        - (((origins - [40, 0, 10]) @ SLOPE.equation) / np.where(rays == 0, np.nan, rays))[:, None] * directions
+    )
+    sees = np.flatnonzero((np.abs(meets[:, :2]) < 19.99).all(axis=1))
+    assert set(sees) <= set(pixels.tolist())
 
 
 def test_a_plane_seen_edge_on_has_no_pixels():
-    _, up = Views.of(BOUNDS).shape, np.array([0.0, 0.0, 1.0])
-    pixels, _, _ = Views.of(BOUNDS).cast(np.array([[0, 0, 5], [9, 0, 5], [9, 9, 5.0]]), up)
+    pixels, _ = Views.of(BOUNDS).drawn(whole(Slant.of(np.array([0.0, 0.0, 1.0]), np.array([0.0, 0.0, 5.0]))))
     level = [k for k, eye in enumerate(view_directions()) if eye[2] == 0]
-    assert not np.isin(pixels // PIXELS**2, level).any()
+    assert len(pixels) and not np.isin(pixels // PIXELS**2, level).any()
 
 
-@pytest.mark.parametrize("outward", [[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1]])
-def test_fronts_tell_how_far_behind_a_point_the_model_lies(outward):
-    outward = np.array(outward, float)
-    face = BOUNDS.mean(axis=0) + outward * (BOUNDS[1] - BOUNDS[0]) / 2
-    behind = Fronts.of(SCENE, BOUNDS).behind(np.array([face + 7 * outward, face - 2 * outward]), outward)
-    assert behind == pytest.approx([7.0, -2.0], abs=1e-3)
+@pytest.mark.parametrize(("axis", "sign"), [(0, 1), (0, -1), (1, 1), (1, -1), (2, 1)])
+def test_fronts_tell_how_far_out_the_model_reaches(axis, sign):
+    fronts = Fronts.of(SCENE, BOUNDS, 1.0)
+    first, second = (k for k in range(3) if k != axis)
+    ends = BOUNDS[:, [first, second]]
+    found = fronts.reach(
+        axis, sign, ends.mean(axis=0)[:1], np.array([ends[0, 1] - 9, ends[:, 1].mean(), ends[1, 1] + 9])
+    )
+    assert found == pytest.approx(np.array([[-np.inf, sign * BOUNDS[int(sign > 0), axis], -np.inf]]), abs=1e-3)
 
 
 def test_the_box_of_a_box_is_all_like_it_and_a_smaller_one_is_less():

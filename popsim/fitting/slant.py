@@ -1,0 +1,63 @@
+"""A plane seen along the axis that it faces most, where two coordinates of the card frame name its points."""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from popsim.geometry.arrays import FloatArray
+
+ACROSS = ((1, 2), (0, 2), (0, 1))
+"""The other two axes, by axis."""
+
+
+@dataclass(frozen=True, eq=False)
+class Slant:
+    """A plane as a function of two coordinates.
+
+    Attributes
+    ----------
+    axis:
+        0 x, 1 y, 2 z: the axis that the plane faces most.
+    sign:
+        1 where it faces the high end of the axis, else -1.
+    level, slopes:
+        Its coordinate along the axis is ``level + slopes @ (s, t)``, with s and t along the other two axes.
+    """
+
+    axis: int
+    sign: int
+    level: float
+    slopes: tuple[float, float]
+
+    @staticmethod
+    def of(outward: FloatArray, point: FloatArray) -> "Slant":
+        """The plane through a point with a normal, both of shape (3,)."""
+        axis = int(np.abs(outward).argmax())
+        first, second = ACROSS[axis]
+        slopes = -outward[first] / outward[axis], -outward[second] / outward[axis]
+        level = point[axis] - slopes[0] * point[first] - slopes[1] * point[second]
+        return Slant(axis, 1 if outward[axis] > 0 else -1, float(level), (float(slopes[0]), float(slopes[1])))
+
+    @cached_property
+    def equation(self) -> FloatArray:
+        """A normal (3,) whose product with each point of the plane is `level`."""
+        normal = np.ones(3)
+        normal[list(ACROSS[self.axis])] = -self.slopes[0], -self.slopes[1]
+        return normal
+
+    def seen(self, points: FloatArray) -> FloatArray:
+        """Coordinates s and t of points (n, 3); shape (n, 2)."""
+        return np.asarray(points[:, ACROSS[self.axis]])
+
+    def along(self, s: FloatArray, t: FloatArray) -> FloatArray:
+        """Coordinate along the axis; any shapes that broadcast."""
+        return np.asarray(self.level + self.slopes[0] * s + self.slopes[1] * t)
+
+    def corners(self, low: FloatArray, high: FloatArray) -> FloatArray:
+        """Points of the plane over the corners of a box of s and t, shape (4, 3)."""
+        flat = np.array([low, (low[0], high[1]), high, (high[0], low[1])])
+        points = np.empty((4, 3))
+        points[:, ACROSS[self.axis]] = flat
+        points[:, self.axis] = self.along(flat[:, 0], flat[:, 1])
+        return points
