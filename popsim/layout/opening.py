@@ -10,12 +10,14 @@ from typing import TYPE_CHECKING
 
 from popsim.geometry.flat import move_shape
 from popsim.layout.errors import LayoutError
+from popsim.layout.filling import Place
 from popsim.layout.flap import Flap
-from popsim.layout.nesting import Place, Waste, estimate, waste_of
+from popsim.layout.nesting import estimate
 from popsim.layout.nets import Net
 from popsim.layout.parts import Part
 from popsim.layout.pieces import Piece
 from popsim.layout.settings import LayoutSettings
+from popsim.layout.waste import Waste, waste_of
 
 if TYPE_CHECKING:
     from shapely.geometry import Polygon
@@ -23,6 +25,9 @@ if TYPE_CHECKING:
 
 OPENINGS = 2
 """Folds opened at most; each is one more line to glue."""
+
+PLANS = 4
+"""Openings planned in full at most before one is found that is worth it: nets may close elsewhere instead."""
 
 GAIN = 0.05
 """Share of a sheet that an opening must fill, unless it saves one."""
@@ -39,7 +44,10 @@ class Laid:
 
     def waste(self, room: tuple[float, float]) -> Waste:
         """What the sheets waste."""
-        return waste_of([piece.outline for piece in self.pieces], list(self.places), room)
+        area = room[0] * room[1]
+        return waste_of(
+            [piece.outline.area / area for piece in self.pieces], [place.sheet for place in self.places]
+        )
 
 
 def with_opened_folds(
@@ -59,16 +67,17 @@ def with_opened_folds(
     laid = plan(barred)
     for _ in range(OPENINGS):
         before = laid.waste(room)
-        fold = _best_fold(laid, parts, room, settings) if before.lacking else None
-        if fold is None:
+        folds = _promising(laid, parts, room, settings) if before.lacking else []
+        for fold in folds[:PLANS]:
+            try:
+                opened = plan(barred | {fold})
+            except LayoutError:  # its flaps have no room
+                continue
+            if _worth(opened.waste(room), before):
+                barred, laid = barred | {fold}, opened
+                break
+        else:
             break
-        try:
-            opened = plan(barred | {fold})
-        except LayoutError:  # its flaps have no room
-            break
-        if not _worth(opened.waste(room), before):
-            break
-        barred, laid = barred | {fold}, opened
     return laid
 
 
@@ -78,10 +87,10 @@ def _worth(after: Waste, before: Waste) -> bool:
     )
 
 
-def _best_fold(
+def _promising(
     laid: Laid, parts: Mapping[str, Part], room: tuple[float, float], settings: LayoutSettings
-) -> str | None:
-    """Id of the fold whose opening is estimated to waste least; None where none is worth it."""
+) -> list[str]:
+    """Ids of the folds whose opening is estimated to be worth it, that which wastes least first."""
     before = laid.waste(room)
     outlines = [piece.outline for piece in laid.pieces]
     found: list[tuple[Waste, float, str]] = []
@@ -93,7 +102,7 @@ def _best_fold(
             after = estimate(shapes, room, settings.apart, settings.grain)
             if after is not None and _worth(after, before):
                 found.append((after, length, fold))
-    return min(found)[2] if found else None
+    return [fold for _, _, fold in sorted(found)]
 
 
 def _halves(

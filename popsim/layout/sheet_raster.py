@@ -1,8 +1,11 @@
 """Sheets as rasters: all places of a shape on a sheet tried at once, by convolution.
 
 The raster covers every shape grown by half the gap and half a cell: what is free on the raster is free on paper.
+Of all free places the snuggest is taken: the one at which most of the shape's rim lies along others or the edge of
+the sheet.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, NamedTuple
@@ -16,6 +19,9 @@ from popsim.geometry.raster import covered
 
 if TYPE_CHECKING:
     from shapely.geometry import Polygon
+
+RIM = 3
+"""Cells round a shape in which others count as lying along it."""
 
 Spectra = npt.NDArray[np.complex64]
 """Single precision: a place is free where fewer than half a cell is hit, of at most some 10,000."""
@@ -35,24 +41,38 @@ class Grid(NamedTuple):
 
     @property
     def padded(self) -> tuple[int, int]:
-        """A size that is fast to transform."""
+        """The size with room for rims all round that is fast to transform."""
         from scipy import fft
 
-        return fft.next_fast_len(self.size[0], real=True), fft.next_fast_len(self.size[1], real=True)
+        rows, columns = (fft.next_fast_len(length + 2 * RIM, real=True) for length in self.size)
+        return rows, columns
 
-    def spectra(self, masks: npt.NDArray[np.float32]) -> Spectra:
-        """Spectra of rasters (k, rows, columns); convolution is exact for places within the sheet."""
+    def spectrum(self, mask: BoolArray) -> Spectra:
+        """Spectrum of a raster; convolution is exact for places within the sheet."""
         from scipy import fft
 
-        return np.asarray(fft.rfft2(masks, s=self.padded))
+        return np.asarray(fft.rfft2(mask.astype(np.float32), s=self.padded))
+
+    def hits(self, spectra: Spectra) -> npt.NDArray[np.float32]:
+        """Numbers of cells hit at each place, of products of spectra, shape (..., rows, columns)."""
+        from scipy import fft
+
+        return np.asarray(fft.irfft2(spectra, s=self.padded))
 
 
 class Spot(NamedTuple):
-    """Where a shape fits: row, column, and which of its turns; the lowest, then leftmost comes first."""
+    """Where a shape fits: row, column, and which of its turns."""
 
     row: int
     column: int
     turn: int
+
+
+class Fit(NamedTuple):
+    """The best spot of a shape on a sheet, None where there is none, and the turns that find any."""
+
+    spot: Spot | None
+    turns: tuple[int, ...]
 
 
 @dataclass(frozen=True, eq=False)
@@ -67,7 +87,7 @@ class Turns:
     masks: tuple[BoolArray, ...]
 
     @classmethod
-    def of(cls, shape: "Polygon", angles: list[float], gap: float, grid: Grid) -> "Turns":
+    def of(cls, shape: "Polygon", angles: Sequence[float], gap: float, grid: Grid) -> "Turns":
         """The shape at these angles."""
         found = [_turned(shape, angle, gap, grid) for angle in angles]
         return cls(grid, tuple(motion for motion, _ in found), tuple(mask for _, mask in found))
@@ -80,10 +100,20 @@ class Turns:
     @cached_property
     def against(self) -> Spectra:
         """Conjugate spectra of the masks on a sheet."""
-        padded = np.zeros((len(self.masks), *self.grid.size), dtype=np.float32)
-        for k, mask in enumerate(self.masks):
-            padded[k, : mask.shape[0], : mask.shape[1]] = mask
-        return self.grid.spectra(padded).conj()
+        return np.stack([self.grid.spectrum(mask).conj() for mask in self.masks])
+
+    @cached_property
+    def rims(self) -> tuple[BoolArray, ...]:
+        """The cells round each mask, with RIM more rows and columns on each side."""
+        from scipy.ndimage import binary_dilation
+
+        padded = [np.pad(mask, RIM) for mask in self.masks]
+        return tuple(binary_dilation(mask, iterations=RIM) & ~mask for mask in padded)
+
+    @cached_property
+    def along(self) -> Spectra:
+        """Conjugate spectra of the rims."""
+        return np.stack([self.grid.spectrum(rim).conj() for rim in self.rims])
 
     def motion(self, spot: Spot) -> FloatArray:
         """Flat motion (3, 3) from the shape into the area's coordinates."""
@@ -92,40 +122,46 @@ class Turns:
         )
 
 
+@dataclass(frozen=True, eq=False)
 class SheetRaster:
-    """What is taken on a sheet, with its spectrum for convolutions."""
+    """What is taken on a sheet, shape (rows, columns)."""
 
-    def __init__(self, grid: Grid) -> None:
-        self.grid = grid
-        self.taken: BoolArray = np.zeros(grid.size, dtype=bool)
-        self.spectrum: Spectra | None = None
-        self.free = self.taken.size
+    grid: Grid
+    taken: BoolArray
 
-    def lowest(self, turns: Turns) -> Spot | None:
-        """The first place where a turn of the shape hits nothing."""
-        from scipy import fft
+    @classmethod
+    def empty(cls, grid: Grid) -> "SheetRaster":
+        """A sheet with nothing on it."""
+        return cls(grid, np.zeros(grid.size, dtype=bool))
 
-        if self.free == self.taken.size:
-            return Spot(0, 0, 0)
-        if self.free < turns.cells:
-            return None
-        if self.spectrum is None:
-            self.spectrum = self.grid.spectra(self.taken[None].astype(np.float32))
-        hits = fft.irfft2(self.spectrum * turns.against, s=self.grid.padded)
-        spots = []
-        for k, mask in enumerate(turns.masks):
-            rows, columns = self.grid.size[0] - mask.shape[0] + 1, self.grid.size[1] - mask.shape[1] + 1
-            free = (hits[k, :rows, :columns] < 0.5).ravel()
-            if (first := int(free.argmax())) or free[0]:
-                spots.append(Spot(first // columns, first % columns, k))
-        return min(spots, default=None)
+    @cached_property
+    def free(self) -> int:
+        """Number of cells that are not taken."""
+        return self.taken.size - int(self.taken.sum())
 
-    def take(self, spot: Spot, turns: Turns) -> None:
-        """Put a shape there."""
-        mask = turns.masks[spot.turn]
-        self.taken[spot.row : spot.row + mask.shape[0], spot.column : spot.column + mask.shape[1]] |= mask
-        self.free = self.taken.size - int(self.taken.sum())
-        self.spectrum = None
+    def fit(self, turns: Turns, among: Sequence[int]) -> Fit:
+        """The snuggest place where one of these turns of the shape hits nothing, the lowest of equals."""
+        if self.free < turns.cells or not among:
+            return Fit(None, ())
+        around = self.grid.spectrum(np.pad(self.taken, RIM, constant_values=True))
+        hits = self.grid.hits(around * turns.against[list(among)])[:, RIM:, RIM:]
+        found: list[tuple[float, int, int, Spot]] = []
+        for k, hit in zip(among, hits, strict=True):
+            height, width = turns.masks[k].shape
+            rows, columns = self.grid.size[0] - height + 1, self.grid.size[1] - width + 1
+            free = hit[:rows, :columns] < 0.5
+            if free.any():
+                touched = np.round(self.grid.hits(around * turns.along[k])[:rows, :columns])
+                row, column = divmod(int(np.where(free, touched, -1).argmax()), columns)
+                snug = round(float(touched[row, column]) / int(turns.rims[k].sum()), 3)
+                found.append((-snug, row + height, column + width, Spot(row, column, k)))
+        return Fit(min(found)[-1] if found else None, tuple(spot.turn for *_, spot in found))
+
+    def taking(self, spot: Spot, turns: Turns) -> "SheetRaster":
+        """The sheet with a shape put there."""
+        mask, taken = turns.masks[spot.turn], self.taken.copy()
+        taken[spot.row : spot.row + mask.shape[0], spot.column : spot.column + mask.shape[1]] |= mask
+        return SheetRaster(self.grid, taken)
 
 
 def growth(gap: float, cell: float) -> float:

@@ -5,7 +5,7 @@ import pytest
 from popsim.design import Card, Design, Hinge, Patch
 from popsim.design.rules import check_rules
 from popsim.layout import lay_out
-from popsim.layout.nesting import WELL_FILLED, Place, waste_of
+from popsim.layout.waste import WELL_FILLED, waste_of
 
 LONG, DEEP = 240.0, 50.0
 
@@ -53,11 +53,7 @@ def test_it_stays_in_one_piece_where_there_is_room() -> None:
 
 @pytest.mark.parametrize(("share", "lacking"), [(WELL_FILLED, 0.0), (WELL_FILLED - 0.1, 0.1)])
 def test_what_sheets_but_the_last_lack(share: float, lacking: float) -> None:
-    import numpy as np
-    from shapely.geometry import box
-
-    shapes = [box(0, 0, 100, 100), box(0, 0, 100, 100 * share), box(0, 0, 100, 10)]
-    waste = waste_of(shapes, [Place(k, np.eye(3)) for k in range(3)], (100.0, 100.0))
+    waste = waste_of([1.0, share, 0.1], [0, 1, 2])
     assert waste.sheets == 3
     assert waste.lacking == pytest.approx(lacking)
     assert waste.emptiest == ((2, 1) if lacking else (2,))
