@@ -33,11 +33,12 @@ class Slant:
     @staticmethod
     def of(outward: FloatArray, point: FloatArray) -> "Slant":
         """The plane through a point with a normal, both of shape (3,)."""
-        axis = int(np.abs(outward).argmax())
+        normal, place = outward.tolist(), point.tolist()
+        axis = max(range(3), key=lambda k: abs(normal[k]))
         first, second = ACROSS[axis]
-        slopes = -outward[first] / outward[axis], -outward[second] / outward[axis]
-        level = point[axis] - slopes[0] * point[first] - slopes[1] * point[second]
-        return Slant(axis, 1 if outward[axis] > 0 else -1, float(level), (float(slopes[0]), float(slopes[1])))
+        slopes = -normal[first] / normal[axis], -normal[second] / normal[axis]
+        level = place[axis] - slopes[0] * place[first] - slopes[1] * place[second]
+        return Slant(axis, 1 if normal[axis] > 0 else -1, level, slopes)
 
     @cached_property
     def equation(self) -> FloatArray:
@@ -53,11 +54,3 @@ class Slant:
     def along(self, s: FloatArray, t: FloatArray) -> FloatArray:
         """Coordinate along the axis; any shapes that broadcast."""
         return np.asarray(self.level + self.slopes[0] * s + self.slopes[1] * t)
-
-    def corners(self, low: FloatArray, high: FloatArray) -> FloatArray:
-        """Points of the plane over the corners of a box of s and t, shape (4, 3)."""
-        flat = np.array([low, (low[0], high[1]), high, (high[0], low[1])])
-        points = np.empty((4, 3))
-        points[:, ACROSS[self.axis]] = flat
-        points[:, self.axis] = self.along(flat[:, 0], flat[:, 1])
-        return points

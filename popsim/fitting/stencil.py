@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 from functools import cached_property
+from math import ceil, floor
 
 import numpy as np
 
@@ -73,9 +74,9 @@ class Stencil:
 
 
 def _cells(
-    outline: FloatArray, room: FloatArray, bounds: FloatArray, side: float
+    outline: FloatArray, room: FloatArray, bounds: FloatArray, length: float
 ) -> tuple[FloatArray, FloatArray, tuple[FloatArray, FloatArray]]:
-    """Cells of about one side over a face and what of its room lies in the bounds of a model.
+    """Cells of about one length over a face and what of its room lies in the bounds of a model.
 
     The face begins and ends with a cell.
 
@@ -85,14 +86,16 @@ def _cells(
         Corner where the cells start (2,), their sides (2,), and the coordinates of their rows (n, 1) and columns
         (1, m).
     """
-    least, most = outline.min(axis=0), outline.max(axis=0)
-    grain = (most - least) / np.maximum(np.round((most - least) / side), 1)
-    lowest = np.minimum(least, np.maximum(room.min(axis=0), bounds[0]))
-    highest = np.maximum(most, np.minimum(room.max(axis=0), bounds[1]))
-    start = np.floor((lowest - least) / grain).astype(np.int64) - MARGIN
-    stop = np.ceil((highest - least) / grain).astype(np.int64) + MARGIN
-    s, t = (least[k] + (np.arange(start[k], stop[k]) + 0.5) * grain[k] for k in (0, 1))
-    return least + start * grain, grain, (s[:, None], t[None])
+    low, grain, centres = [], [], []
+    for face, free, (first, last) in zip(outline.T.tolist(), room.T.tolist(), bounds.T.tolist(), strict=True):
+        least, most = min(face), max(face)
+        side = (most - least) / max(round((most - least) / length), 1)
+        start = floor((min(least, max(min(free), first)) - least) / side) - MARGIN
+        stop = ceil((max(most, min(max(free), last)) - least) / side) + MARGIN
+        low.append(least + start * side)
+        grain.append(side)
+        centres.append(least + (np.arange(start, stop) + 0.5) * side)
+    return np.array(low), np.array(grain), (centres[0][:, None], centres[1][None])
 
 
 def _seen(
@@ -149,19 +152,15 @@ def _enclosed(closed: BoolArray) -> BoolArray:
     for border in (parts[0], parts[-1], parts[:, 0], parts[:, -1]):
         inner[border] = False
     inner[0] = True
-    return np.asarray(inner[parts])
+    return inner.take(parts)
 
 
 def _grown(mask: BoolArray, around: bool = False) -> BoolArray:
     """A mask and the cells beside its cells; at their corners too where all `around` is meant."""
-    wide = mask.copy()
-    wide[1:] |= mask[:-1]
-    wide[:-1] |= mask[1:]
-    source = wide if around else mask
-    grown = wide.copy()
-    grown[:, 1:] |= source[:, :-1]
-    grown[:, :-1] |= source[:, 1:]
-    return grown
+    from cv2 import MORPH_CROSS, MORPH_RECT, dilate, getStructuringElement
+
+    near = getStructuringElement(MORPH_RECT if around else MORPH_CROSS, (3, 3))
+    return dilate(mask.view(np.uint8), near).view(np.bool_)
 
 
 def _attached(shown: BoolArray, inside: BoolArray, beyond: BoolArray) -> BoolArray:
@@ -169,21 +168,24 @@ def _attached(shown: BoolArray, inside: BoolArray, beyond: BoolArray) -> BoolArr
     if not beyond.any():
         return beyond
     far = beyond & ~_grown(inside)
+    if not far.any():
+        return far
     kept = far | (beyond & _grown(far, around=True))
     count, parts = _parts(_grown(shown | kept))
     joined = np.zeros(count, dtype=bool)
     joined[parts[shown]] = True
-    return np.asarray(_grown(kept) & joined[parts])
+    return np.asarray(_grown(kept) & joined.take(parts))
 
 
 def within(x: FloatArray, y: FloatArray, ring: FloatArray) -> BoolArray:
     """Whether points lie in a simple polygon (n, 2); their coordinates have any shapes that broadcast."""
-    following = ring[[*range(1, len(ring)), 0]]
-    if len(ring) == RECTANGLE and (np.abs(following - ring).min(axis=1) < STRAIGHT).all():
-        (left, lower), (right, upper) = ring.min(axis=0), ring.max(axis=0)
+    corners = ring.tolist()
+    edges = list(zip(corners, corners[1:] + corners[:1], strict=True))
+    if len(edges) == RECTANGLE and all(min(abs(x1 - x0), abs(y1 - y0)) < STRAIGHT for (x0, y0), (x1, y1) in edges):
+        (left, *_, right), (lower, *_, upper) = (sorted(values) for values in zip(*corners, strict=True))
         return np.asarray(((x > left) & (x < right)) & ((y > lower) & (y < upper)))
     inside = np.zeros(np.broadcast_shapes(x.shape, y.shape), dtype=bool)
-    for (x0, y0), (x1, y1) in zip(ring, following, strict=True):
+    for (x0, y0), (x1, y1) in edges:
         if y0 == y1:
             continue
         crosses = (y0 > y) != (y1 > y)

@@ -2,12 +2,13 @@
 
 from dataclasses import dataclass
 from functools import cached_property
+from typing import NamedTuple
 
 import numpy as np
 
-from popsim.fitting.slant import ACROSS
+from popsim.fitting.slant import ACROSS, Slant
 from popsim.fitting.stencil import Stencil
-from popsim.geometry.arrays import BoolArray, FloatArray, IntArray
+from popsim.geometry.arrays import FloatArray, IntArray
 
 PIXELS = 64
 """Pixels along the diagonal of the model, in each view."""
@@ -67,7 +68,8 @@ class Views:
 
     def rays(self) -> tuple[FloatArray, FloatArray]:
         """Origins and directions of the rays of all pixels, view after view, shape (9 p, 3)."""
-        across, up = (steps.reshape(*self.shape, 1) for steps in self._steps)
+        steps = (self.diagonal * (pixels / self.pixels - 0.5) for pixels in self._pixels)
+        across, up = (each.reshape(*self.shape, 1) for each in steps)
         right, rise, eye = self.axes[:, None, 0], self.axes[:, None, 1], self.axes[:, None, 2]
         origins = self.centre + across * right + up * rise + self.diagonal * eye
         directions = np.broadcast_to(-eye, origins.shape)
@@ -82,62 +84,98 @@ class Views:
             Index of each pixel in which it shows, in the order of :meth:`rays`, shape (k,), and how far what shows
             there is from the origin of its ray, mm, shape (k,).
         """
-        slant = stencil.slant
-        equation = slant.equation
-        right, rise, eye = (self.axes @ equation).T
-        corners = (slant.corners(*stencil.box) - self.centre) @ self.axes[:, :2].transpose(0, 2, 1)
-        ends = corners.min(axis=1), corners.max(axis=1)
-        low, high = (np.round((end / self.diagonal + 0.5) * self.pixels).astype(np.int64) for end in ends)
-        low, high = low.clip(0, self.pixels), high.clip(0, self.pixels)
-        views = np.flatnonzero((np.abs(eye) > EDGE_ON * np.linalg.norm(equation)) & (high > low).all(axis=1))
-        offset = np.full(len(views), slant.level - self.centre @ equation)
-        ahead = np.column_stack([-right[views], -rise[views], offset]) / eye[views, None]
-        places = ahead[:, None] * self.axes[views, 2, :, None]
-        places[:, :, 2] += self.centre
-        places[:, :, :2] += self.axes[views, :2].transpose(0, 2, 1)
-        cells = (places[:, ACROSS[slant.axis]] - stencil.low[:, None] * [0, 0, 1]) / stencil.grain[:, None]
-        found = self._pasted(stencil.mask, views, low[views], high[views], cells @ self._of_pixel)
-        count = np.searchsorted(found, self.pixels**2 * np.append(views, len(self.axes)))
-        away = np.repeat([0, 0, self.diagonal] - ahead, np.diff(count), axis=0)
-        across, up = (steps[found] for steps in self._steps)
-        return found, away[:, 0] * across + away[:, 1] * up + away[:, 2]
-
-    def _pasted(
-        self, mask: BoolArray, views: IntArray, low: IntArray, high: IntArray, cells: FloatArray
-    ) -> IntArray:
-        """Indices of the pixels in which a mask shows.
-
-        Parameters
-        ----------
-        mask:
-            Shape (n, m).
-        views:
-            Those into which it is drawn, shape (v,).
-        low, high:
-            First pixel, and that behind the last one, shape (v, 2).
-        cells:
-            Which cell each pixel shows: affine functions of column, row and 1, shape (v, 2, 3).
-        """
         from cv2 import INTER_NEAREST, WARP_INVERSE_MAP, warpAffine
 
-        picture = mask.view(np.uint8)
+        slant, (least, most) = stencil.slant, stencil.box
+        faced = self._facing(slant)
+        origin = faced.origin + slant.level * faced.rise
+        middle, half = faced.turn @ ((least + most) / 2) + origin, np.abs(faced.turn) @ ((most - least) / 2)
+        low, high = (np.rint(end).astype(np.int64).clip(0, self.pixels) for end in (middle - half, middle + half))
+        cells = np.empty((len(low), 2, 3))  # of columns and rows of pixels, and 1, both counted from their centres
+        cells[:, :, :2] = faced.back / stencil.grain[:, None]
+        cells[:, :, 2] = (
+            (faced.back @ (low + 0.5 - origin)[:, :, None])[:, :, 0] - stencil.low
+        ) / stencil.grain - 0.5
+        cells = cells[:, ::-1].copy()  # columns of the mask first
+        picture = stencil.mask.view(np.uint8)
         canvas = np.zeros((len(self.axes), self.pixels, self.pixels), dtype=np.uint8)
-        starts = np.column_stack([low + 0.5, np.ones(len(low))])
-        cells = cells[:, ::-1].copy()  # columns first
-        cells[:, :, 2] = (cells * starts[:, None]).sum(axis=2) - 0.5  # of whole numbers, to whole numbers
-        for view, (x0, y0), (x1, y1), affine in zip(views, low, high, cells, strict=True):
-            seen = canvas[view, y0:y1, x0:x1]
-            warpAffine(picture, affine, seen.shape[::-1], dst=seen, flags=INTER_NEAREST | WARP_INVERSE_MAP)
-        return np.flatnonzero(canvas)
+        for view, (x0, y0), (x1, y1), affine in zip(faced.views, low.tolist(), high.tolist(), cells, strict=True):
+            if x0 < x1 and y0 < y1:
+                seen = canvas[view, y0:y1, x0:x1]
+                warpAffine(picture, affine, (x1 - x0, y1 - y0), dst=seen, flags=INTER_NEAREST | WARP_INVERSE_MAP)
+        found = np.flatnonzero(canvas.view(np.bool_))
+        away = np.zeros((len(self.axes), 3))
+        away[faced.views, :2] = faced.deepening
+        away[faced.views, 2] = faced.depth - slant.level * faced.height - (faced.deepening * origin).sum(axis=1)
+        across, up, constant = np.repeat(away, self._counted(found), axis=0).T
+        column, row = (pixels[found] for pixels in self._pixels)
+        return found, across * column + up * row + constant
+
+    def _counted(self, found: IntArray) -> IntArray:
+        """How many of sorted indices of pixels are of each view, shape (9,)."""
+        return np.diff(np.searchsorted(found, self.pixels**2 * np.arange(len(self.axes) + 1)))
+
+    def _facing(self, slant: Slant) -> "Facing":
+        """How the views see planes of one slope; there are few slopes."""
+        key = slant.axis, *slant.slopes
+        if key not in self._facings:
+            self._facings[key] = Facing.of(self, slant)
+        return self._facings[key]
 
     @cached_property
-    def _of_pixel(self) -> FloatArray:
-        """How far a pixel lies right of the centre, over it, and 1, as functions of column, row and 1."""
-        side, half = self.diagonal / self.pixels, self.diagonal / 2
-        return np.array([[side, 0, -half], [0, side, -half], [0, 0, 1]])
+    def _facings(self) -> dict[tuple[float, ...], "Facing"]:
+        return {}
 
     @cached_property
-    def _steps(self) -> tuple[FloatArray, FloatArray]:
-        """How far the pixels of all views lie right of the centre, and over it, mm, each of shape (9 p,)."""
-        steps = self.diagonal * ((np.arange(self.pixels) + 0.5) / self.pixels - 0.5)
-        return np.tile(steps, len(self.axes) * self.pixels), np.tile(np.repeat(steps, self.pixels), len(self.axes))
+    def _pixels(self) -> tuple[FloatArray, FloatArray]:
+        """Columns and rows of the centres of the pixels of all views, each of shape (9 p,)."""
+        centres = np.arange(self.pixels) + 0.5
+        return np.tile(centres, len(self.axes) * self.pixels), np.tile(
+            np.repeat(centres, self.pixels), len(self.axes)
+        )
+
+
+class Facing(NamedTuple):
+    """How views see the planes of one slope, by the coordinates s and t of a slant.
+
+    Attributes
+    ----------
+    views:
+        Those that do not see them edge on, shape (v,).
+    turn, origin, rise:
+        The column and row of a point are ``turn @ (s, t) + origin + level * rise``; shapes (v, 2, 2), (v, 2) and
+        (v, 2).
+    back:
+        Inverse of `turn`, shape (v, 2, 2).
+    depth, height, deepening:
+        A point is ``depth - level * height + deepening @ (pixel - origin - level * rise)`` from the origin of its
+        ray, mm; shapes (v,), (v,), (v, 2).
+    """
+
+    views: IntArray
+    turn: FloatArray
+    origin: FloatArray
+    rise: FloatArray
+    back: FloatArray
+    depth: FloatArray
+    height: FloatArray
+    deepening: FloatArray
+
+    @staticmethod
+    def of(views: Views, slant: Slant) -> "Facing":
+        """All of this for one slope."""
+        equation = slant.equation
+        cosine = views.axes[:, 2] @ equation / np.linalg.norm(equation)
+        faced = np.flatnonzero(np.abs(cosine) > EDGE_ON)
+        axes, scale = views.axes[faced], views.pixels / views.diagonal
+        steps = np.zeros((3, 2))
+        steps[list(ACROSS[slant.axis]), (0, 1)] = 1.0
+        steps[slant.axis] = slant.slopes
+        turn = axes[:, :2] @ steps * scale
+        back = np.linalg.inv(turn).astype(np.float64)
+        deepening = -(axes[:, 2:] @ steps @ back)[:, 0]
+        origin = views.pixels / 2 - axes[:, :2] @ views.centre * scale
+        depth = views.diagonal + axes[:, 2] @ views.centre
+        return Facing(
+            faced, turn, origin, axes[:, :2, slant.axis] * scale, back, depth, axes[:, 2, slant.axis], deepening
+        )
