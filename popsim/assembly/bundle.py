@@ -8,6 +8,7 @@ import numpy as np
 
 from popsim.assembly.kit import Kit
 from popsim.assembly.reference import STACKED
+from popsim.assembly.roll import groups
 from popsim.geometry.arrays import FloatArray
 from popsim.geometry.rigid import transform, translation
 from popsim.layout import Joint
@@ -64,6 +65,10 @@ class Bundle:
         """Out of the printed side of a part, unit, shape (3,)."""
         return np.asarray(self.poses[part][:3, :3] @ self.kit.layout.parts[part].plane.normal)
 
+    def axis(self, joint: Joint) -> FloatArray:
+        """Ends of the line of a joint as it lies now, shape (2, 3)."""
+        return transform(self.poses[joint.parts[0]], self.kit.ends[joint.id])
+
     def middle(self, parts: Collection[str]) -> FloatArray:
         """Mean of the points of some parts, shape (3,)."""
         points = [transform(self.poses[name], self.kit.outlines[name].points) for name in sorted(parts)]
@@ -79,26 +84,18 @@ class Bundle:
         motion = translation(shift)
         return {name: motion @ pose if name in parts else pose for name, pose in self.poses.items()}
 
+    @cached_property
+    def near(self) -> list[int]:
+        """What is joined to each part, as masks of the kit's roll."""
+        ends = [joint.parts for joint in self.joints.values()]
+        return self.kit.roll.relation(ends + [(second, first) for first, second in ends])
+
     def groups(self, among: Collection[str], without: Collection[str] = ()) -> list[frozenset[str]]:
         """Parts of `among` that hang together by joints other than those `without`, the largest group first."""
-        near: dict[str, list[str]] = {name: [] for name in among}
-        for joint in self.joints.values():
-            first, second = joint.parts
-            if joint.id not in without and first in near and second in near:
-                near[first].append(second)
-                near[second].append(first)
-        found: list[frozenset[str]] = []
-        left = dict.fromkeys(name for name in self.poses if name in near)
-        while left:
-            group, waiting = set[str](), [next(iter(left))]
-            while waiting:
-                name = waiting.pop()
-                if name not in group:
-                    group.add(name)
-                    waiting += near[name]
-            left = dict.fromkeys(name for name in left if name not in group)
-            found.append(frozenset(group))
-        return sorted(found, key=lambda group: -len(group))
+        roll = self.kit.roll
+        near = self.without(without).near if without else self.near
+        found = groups(roll.mask(self.parts.intersection(among)), near)
+        return [roll.names(group) for group in sorted(found, key=int.bit_count, reverse=True)]
 
     def crossing(self, moved: Collection[str]) -> tuple[Joint, ...]:
         """Joints between some parts and the others."""

@@ -4,18 +4,13 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from functools import partial
 
-import numpy as np
-
-from popsim.assembly.bundle import Bundle
+from popsim.assembly.bundle import Bundle, Sheet
+from popsim.assembly.kit import ONE_LINE
+from popsim.assembly.roll import groups, places, spread
 from popsim.assembly.stack import Stack
 from popsim.design import BACKDROP_ID, GROUND_ID
-from popsim.geometry.arrays import FloatArray
 from popsim.geometry.plane import line_distance
-from popsim.geometry.rigid import transform
 from popsim.layout import Joint, Layout
-
-ONE_LINE = 0.3
-"""mm; joints this near to one line turn about it together."""
 
 
 @dataclass(frozen=True)
@@ -67,23 +62,40 @@ def ranks(layout: Layout) -> dict[str, int]:
 
 def _on_top(bundle: Bundle, stack: Stack) -> Iterator[tuple[frozenset[str], int]]:
     """Groups of parts on which no others lie, and on which side of the stack they are."""
-    for side, above in ((1, stack.over), (-1, stack.under)):
-        known: set[frozenset[str]] = set()
-        for seed in _seeds(bundle):
-            moved = _closure(bundle, seed, above)
-            rest = bundle.groups(bundle.parts - moved)
+    roll = bundle.kit.roll
+    whole = roll.mask(bundle.parts)
+    seeds = list(dict.fromkeys(roll.mask(seed) for seed in _seeds(bundle)))
+    for side in (1, -1):
+        above = _above(bundle, stack, side)
+        known: set[int] = set()
+        for seed in seeds:
+            moved = spread(seed, above, whole)
+            rest = groups(whole & ~moved, bundle.near)
             if len(rest) > 1:
-                moved = bundle.parts - max(rest, key=partial(_weight, bundle))
-            if not rest or moved in known or len(bundle.groups(moved)) > 1:
+                moved = whole & ~max(rest, key=partial(_weight, roll.mask(bundle.kit.grounds)))
+            if not rest or moved in known or len(groups(moved, bundle.near)) > 1:
                 continue
             known.add(moved)
-            if moved == _closure(bundle, moved, above):
-                yield moved, side
+            if moved == spread(moved, above, whole):
+                yield roll.names(moved), side
 
 
-def _weight(bundle: Bundle, parts: frozenset[str]) -> tuple[bool, int]:
-    """What has more of it rather stays in its place: the card, else more parts."""
-    return bundle.kit.ground(parts) is not None, len(parts)
+def _above(bundle: Bundle, stack: Stack, side: int) -> list[int]:
+    """What lies on each part in the same sheet, as masks."""
+    sheets: dict[Sheet, list[str]] = {}
+    for name, sheet in bundle.sheets.items():
+        sheets.setdefault(sheet, []).append(name)
+    found = [0] * len(bundle.kit.layout.parts)
+    for names in sheets.values():
+        own = bundle.kit.roll.mask(names)
+        for place in places(own):
+            found[place] = stack.masks[side][place] & own
+    return found
+
+
+def _weight(grounds: int, parts: int) -> tuple[bool, int]:
+    """What has more of it rather stays in its place: the card, else more parts; ties go to the first part."""
+    return bool(parts & grounds), parts.bit_count()
 
 
 def _seeds(bundle: Bundle) -> Iterator[frozenset[str]]:
@@ -103,18 +115,6 @@ def _seeds(bundle: Bundle) -> Iterator[frozenset[str]]:
         yield frozenset((name,))
 
 
-def _closure(bundle: Bundle, seed: frozenset[str], above: dict[str, frozenset[str]]) -> frozenset[str]:
-    """The seed with all that lies on it in the same sheet."""
-    found, waiting = set[str](), list(seed)
-    while waiting:
-        name = waiting.pop()
-        if name not in found:
-            found.add(name)
-            sheet = bundle.sheets[name]
-            waiting += [other for other in above[name] if bundle.sheets.get(other) == sheet]
-    return frozenset(found)
-
-
 def _releases(bundle: Bundle, moved: frozenset[str]) -> Iterator[tuple[tuple[str, ...], tuple[str, ...]]]:
     """The lines about which some parts can be turned, and the joints to be undone for it."""
     crossing = bundle.crossing(moved)
@@ -127,27 +127,25 @@ def _releases(bundle: Bundle, moved: frozenset[str]) -> Iterator[tuple[tuple[str
 
 def _lines(bundle: Bundle, joints: Iterable[Joint]) -> list[list[Joint]]:
     """Joints that turn, by the lines on which they lie now."""
-    found: list[tuple[FloatArray, list[Joint]]] = []
+    found: list[list[Joint]] = []
     for joint in joints:
-        if joint.hinge is None:
-            continue
-        ends = axis(bundle, joint)
-        near = next((own for line, own in found if line_distance(ends, line).max() < ONE_LINE), None)
-        if near is None:
-            found.append((ends, [joint]))
-        else:
-            near.append(joint)
-    return [own for _, own in found]
+        if joint.hinge is not None:
+            line = next((own for own in found if _in_line(bundle, joint, own[0])), None)
+            if line is None:
+                found.append([joint])
+            else:
+                line.append(joint)
+    return found
+
+
+def _in_line(bundle: Bundle, joint: Joint, other: Joint) -> bool:
+    """Whether two joints lie on one line now; in one sheet they do where they do in the folded pop-up."""
+    if bundle.sheets[joint.parts[0]] == bundle.sheets[other.parts[0]]:
+        return other.id in bundle.kit.in_line[joint.id]
+    return bool(line_distance(bundle.axis(joint), bundle.axis(other)).max() < ONE_LINE)
 
 
 def _is_open(bundle: Bundle, joint: Joint) -> bool:
     """Whether the two parts of a joint were swung apart already."""
     first, second = joint.parts
     return bundle.sheets[first] != bundle.sheets[second]
-
-
-def axis(bundle: Bundle, joint: Joint) -> FloatArray:
-    """Ends of the line of a joint as it lies now, shape (2, 3)."""
-    ends = np.concatenate(joint.stretches)
-    along = ends @ (ends[-1] - ends[0])
-    return transform(bundle.poses[joint.parts[0]], ends[[along.argmin(), along.argmax()]])

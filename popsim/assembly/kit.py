@@ -8,12 +8,17 @@ import numpy as np
 from popsim.assembly.flap_motion import FlapMotion, flap_motions
 from popsim.assembly.outline import Outline
 from popsim.assembly.reference import Reference
+from popsim.assembly.roll import Roll
 from popsim.assembly.scene import FlapKey
 from popsim.design import GROUND_ID
 from popsim.geometry.arrays import FloatArray
+from popsim.geometry.plane import line_distance
 from popsim.geometry.rigid import transform
 from popsim.layout import Flap, Joint, Layout
 from popsim.simulation import Sweep
+
+ONE_LINE = 0.3
+"""mm; joints this near to one line turn about it together."""
 
 
 class Kit:
@@ -25,11 +30,15 @@ class Kit:
         What is put together.
     reference:
         The recorded motion by part.
+    opened:
+        Fold angles, degrees, at which glue gets to a joint among some parts, as far as was asked, by its id and
+        theirs; None where it is shut in at all that were tried.
     """
 
     def __init__(self, layout: Layout, sweep: Sweep) -> None:
         self.layout = layout
         self.reference = Reference(layout, sweep)
+        self.opened: dict[tuple[str, frozenset[str]], float | None] = {}
 
     @cached_property
     def outlines(self) -> dict[str, Outline]:
@@ -37,9 +46,30 @@ class Kit:
         return {name: Outline.of(part) for name, part in self.layout.parts.items()}
 
     @cached_property
+    def roll(self) -> Roll:
+        """Of all parts, in the order of the layout."""
+        return Roll(self.layout.parts)
+
+    @cached_property
     def joints(self) -> dict[str, Joint]:
         """All joints by id."""
         return {joint.id: joint for joint in self.layout.joints}
+
+    @cached_property
+    def ends(self) -> dict[str, FloatArray]:
+        """Ends of the line of each joint in the open pose, by its id, each of shape (2, 3)."""
+        return {joint.id: _ends(joint) for joint in self.layout.joints}
+
+    @cached_property
+    def in_line(self) -> dict[str, frozenset[str]]:
+        """The joints on one line with each joint in the folded pop-up, by its id."""
+        flat, joints = self.reference.flat, self.layout.joints
+        ends = np.array([transform(flat[joint.parts[0]], self.ends[joint.id]) for joint in joints])
+        near = np.array([line_distance(ends, line).max(axis=1) < ONE_LINE for line in ends])
+        return {
+            joint.id: frozenset(joints[k].id for k in np.flatnonzero(near[:, place]))
+            for place, joint in enumerate(joints)
+        }
 
     @cached_property
     def flaps_of(self) -> dict[str, tuple[Flap, ...]]:
@@ -59,9 +89,14 @@ class Kit:
         """Places where each flap is pressed on its landing, in the open pose, by key, each of shape (3, 3)."""
         return {key: self._spots(motion.flap) for key, motion in self.flap_motions.items()}
 
+    @cached_property
+    def grounds(self) -> frozenset[str]:
+        """Ids of the parts of the ground: one, or several where it is divided."""
+        return frozenset(name for name, part in self.layout.parts.items() if part.patch.id == GROUND_ID)
+
     def ground(self, parts: Iterable[str]) -> str | None:
         """The part of the ground among some parts, the first where it is divided; None where it is not there."""
-        return min((name for name in parts if self.layout.parts[name].patch.id == GROUND_ID), default=None)
+        return min(self.grounds.intersection(parts), default=None)
 
     def face(self, flap: Flap) -> FloatArray:
         """Unit normal out of the face on which a flap lands, in the open pose, shape (3,)."""
@@ -77,3 +112,9 @@ class Kit:
         plane = self.layout.parts[flap.target].plane
         ends = plane.flat(self.layout.parts[flap.carrier].plane.lift(flap.line))
         return plane.lift(np.array([middle, (middle + ends[0]) / 2, (middle + ends[1]) / 2]))
+
+
+def _ends(joint: Joint) -> FloatArray:
+    ends = np.concatenate(joint.stretches)
+    along = ends @ (ends[-1] - ends[0])
+    return ends[[along.argmin(), along.argmax()]]

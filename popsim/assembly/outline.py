@@ -1,6 +1,7 @@
 """Parts as the assembly checks them: outlines taken in or let out by a hair, and points all over them."""
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -55,6 +56,23 @@ class Outline:
         opaque = part.polygon.buffer(HAIR, join_style="mitre").simplify(COARSE)
         shapely.prepare([polygon, opaque])
         return Outline(part.plane, polygon, opaque, part.plane.lift(flat))
+
+    @cached_property
+    def middle(self) -> FloatArray:
+        """Middle of a ball around the paper, in its plane, shape (3,)."""
+        return np.asarray(self.plane.lift(self._rim.min(axis=0) / 2 + self._rim.max(axis=0) / 2))
+
+    @cached_property
+    def radius(self) -> float:
+        """Radius of that ball, mm."""
+        return float(np.linalg.norm(self.plane.lift(self._rim) - self.middle, axis=1).max())
+
+    @cached_property
+    def _rim(self) -> FloatArray:
+        """Corners of `opaque`, shape (k, 2)."""
+        import shapely
+
+        return np.asarray(shapely.get_coordinates(self.opaque))
 
     def covers(self, points: FloatArray) -> BoolArray:
         """Which points (n, 3), taken into the plane, lie well within the paper, shape (n,)."""

@@ -5,8 +5,8 @@ from collections.abc import Mapping
 import numpy as np
 
 from popsim.assembly.outline import Outline
-from popsim.geometry.arrays import BoolArray, FloatArray
-from popsim.geometry.directions import across, sphere_directions
+from popsim.geometry.arrays import BoolArray, FloatArray, cross
+from popsim.geometry.directions import sphere_directions
 
 LIFT = 0.2
 """mm; rays start this far off the paper."""
@@ -35,24 +35,29 @@ HAND = 25.0
 ARM = 100.0
 """mm; farther along, a hand has room."""
 
+SPOKES = 6
+"""Rays around the axis of a finger or a hand."""
+
 TILTS = (0.0, 30.0, 55.0)
 """Degrees between a pressing finger and the normal of the paper: beyond that it slips off."""
 
 
 class Surroundings:
-    """Parts at one moment.
+    """Parts at one moment: outlines of all parts, by id, and where those that are there lie.
 
-    Attributes
-    ----------
-    outlines:
-        Of all parts, by id.
-    poses:
-        Motion of each part that is there from the open pose, by part id, each of shape (4, 4).
+    `poses` are motions of these parts from the open pose, by part id, each of shape (4, 4).
     """
 
     def __init__(self, outlines: Mapping[str, Outline], poses: Mapping[str, FloatArray]) -> None:
-        self.outlines = outlines
-        self.poses = poses
+        self._outlines = [outlines[name] for name in poses]
+        self._poses = np.array(list(poses.values())).reshape(-1, 4, 4)
+        turns, shifts = self._poses[:, :3, :3], self._poses[:, :3, 3]
+        normals = np.array([own.plane.normal for own in self._outlines]).reshape(-1, 3, 1)
+        middles = np.array([own.middle for own in self._outlines]).reshape(-1, 3, 1)
+        self._normals = (turns @ normals)[..., 0]
+        self._middles = (turns @ middles)[..., 0] + shifts
+        self._offsets = (self._normals * self._middles).sum(axis=1)
+        self._radii = np.array([own.radius for own in self._outlines])
 
     def openness(self, spots: FloatArray, normals: FloatArray) -> float:
         """Share of directions off the paper at the best of some spots (n, 3) from which it can be seen.
@@ -78,33 +83,31 @@ class Surroundings:
         )
 
     def _gets_to(self, spot: FloatArray, directions: FloatArray, radius: float) -> bool:
-        starts, rays, lengths = [], [], []
-        for direction in directions:
-            ring = _ring(direction)
-            for offset, begin, end in (
-                (np.zeros((1, 3)), LIFT, ARM),
-                (radius * ring, radius, REACH),
-                (HAND * ring, REACH, ARM),
-            ):
-                starts.append(spot + offset + begin * direction)
-                rays.append(np.repeat(direction[None], len(offset), axis=0))
-                lengths.append(np.full(len(offset), end - begin))
-        hit = self.blocked(np.concatenate(starts), np.concatenate(rays), np.concatenate(lengths))
-        return bool((~hit.reshape(len(directions), -1).any(axis=1)).any())
+        """Whether something of a radius, with a hand behind it, comes to a spot (3,) along one of `directions`."""
+        whole = np.full(len(directions), ARM - LIFT)
+        free = directions[~self.blocked(spot + LIFT * directions, directions, whole)]
+        along, rings = free[:, None], _rings(free)
+        starts = np.concatenate(
+            [spot + radius * rings + radius * along, spot + HAND * rings + REACH * along], axis=1
+        )
+        lengths = np.tile(np.repeat([REACH - radius, ARM - REACH], SPOKES), len(free))
+        rays = np.broadcast_to(along, starts.shape)
+        hit = self.blocked(starts.reshape(-1, 3), rays.reshape(-1, 3), lengths)
+        return not hit.reshape(-1, 2 * SPOKES).any(axis=1).all()
 
     def blocked(self, starts: FloatArray, rays: FloatArray, lengths: FloatArray) -> BoolArray:
         """Which rays from `starts` along unit `rays` (n, 3) meet paper within `lengths` (n,), shape (n,)."""
+        with np.errstate(divide="ignore", invalid="ignore"):
+            distance = (self._offsets - starts @ self._normals.T) / (rays @ self._normals.T)
+            ray, part = np.nonzero((distance > 1e-9) & (distance < lengths[:, None]))
+        spots = starts[ray] + distance[ray, part, None] * rays[ray]
+        near = ((spots - self._middles[part]) ** 2).sum(axis=1) <= self._radii[part] ** 2
+        ray, part, spots = ray[near], part[near], spots[near]
         hit = np.zeros(len(starts), dtype=bool)
-        for name, pose in self.poses.items():
-            outline = self.outlines[name]
-            origin = (starts - pose[:3, 3]) @ pose[:3, :3]
-            along = rays @ pose[:3, :3]
-            height, slope = outline.plane.distance(origin), along @ outline.plane.normal
-            with np.errstate(divide="ignore", invalid="ignore"):
-                distance = -height / slope
-            reached = np.flatnonzero(~hit & np.isfinite(distance) & (distance > 1e-9) & (distance < lengths))
-            if len(reached):
-                hit[reached] |= outline.hides(origin[reached] + distance[reached, None] * along[reached])
+        for k in np.unique(part):
+            own = (part == k) & ~hit[ray]
+            pose = self._poses[k]
+            hit[ray[own]] |= self._outlines[k].hides((spots[own] - pose[:3, 3]) @ pose[:3, :3])
         return hit
 
 
@@ -116,13 +119,15 @@ def _off(normal: FloatArray) -> FloatArray:
 
 def _cone(normal: FloatArray) -> FloatArray:
     """Directions within a finger's tilt of a unit normal, shape (k, 3)."""
-    ring = _ring(normal)
+    ring = _rings(normal[None])[0]
     tilted = [np.cos(tilt) * normal + np.sin(tilt) * ring for tilt in np.radians(TILTS[1:])]
     return np.concatenate([normal[None], *tilted])
 
 
-def _ring(direction: FloatArray) -> FloatArray:
-    """Six unit vectors around a unit direction, shape (6, 3)."""
-    first, second = across(direction)
-    turn = np.linspace(0, 2 * np.pi, 6, endpoint=False)[:, None]
-    return np.asarray(np.cos(turn) * first + np.sin(turn) * second)
+def _rings(directions: FloatArray) -> FloatArray:
+    """Unit vectors around each of some unit directions (n, 3), shape (n, SPOKES, 3)."""
+    first = cross(directions, np.eye(3)[np.abs(directions).argmin(axis=1)])
+    first /= np.linalg.norm(first, axis=1, keepdims=True)
+    second = cross(directions, first)
+    turn = np.linspace(0, 2 * np.pi, SPOKES, endpoint=False)[:, None]
+    return np.asarray(np.cos(turn) * first[:, None] + np.sin(turn) * second[:, None])

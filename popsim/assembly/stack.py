@@ -56,6 +56,14 @@ class Stack:
         self.under: Over = {name: frozenset(names) for name, names in under.items()}
         self.covers = self._covers()
 
+    @cached_property
+    def masks(self) -> dict[int, list[int]]:
+        """The parts over (1) and under (-1) each part, as masks of the kit's roll."""
+        return {
+            side: self.kit.roll.relation((name, other) for name in on for other in on[name])
+            for side, on in ((1, self.over), (-1, self.under))
+        }
+
     def side(self, key: FlapKey) -> int:
         """1 where a flap lies on the upper face of its target, else -1."""
         flap = self.kit.flap_motions[key].flap

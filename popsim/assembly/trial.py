@@ -3,10 +3,12 @@
 A step is looked at from its end: what is undone by a motion is made by the same motion backwards.
 """
 
+from functools import cached_property
+
 import numpy as np
 
 from popsim.assembly.bundle import Bundle
-from popsim.assembly.cut import Cut, axis
+from popsim.assembly.cut import Cut, cuts
 from popsim.assembly.glueing import Glueing, Poses
 from popsim.assembly.passage import Pair, Passage
 from popsim.assembly.proof import Proof, Refusal
@@ -39,18 +41,23 @@ ALONG = ((0, 0, -1), (0, 0, 1), (1, 0, 0), (-1, 0, 0))
 
 
 class Trial:
-    """A bundle of which something is to be undone while it lies."""
+    """A bundle of which something is to be undone while it lies; `number` is that of what is swung aside next."""
 
-    def __init__(self, bundle: Bundle, stack: Stack) -> None:
-        self.bundle, self.stack = bundle, stack
+    def __init__(self, bundle: Bundle, stack: Stack, number: int) -> None:
+        self.bundle, self.stack, self.number = bundle, stack, number
         self.kit = bundle.kit
+        self._tried: dict[Cut, Proof | Refusal] = {}
 
-    def cut(self, cut: Cut, number: int) -> Proof | Refusal:
-        """Take it apart or open it; `number` tells the sheet that is swung aside from others."""
-        hidden = self._shut_off(cut)
-        if hidden is not None:
-            return hidden
-        return self._opened(cut, number) if cut.line else self._lifted(cut)
+    @cached_property
+    def cuts(self) -> tuple[Cut, ...]:
+        """All ways to take it apart or to open it."""
+        return tuple(cuts(self.bundle, self.stack))
+
+    def cut(self, cut: Cut) -> Proof | Refusal:
+        """Take it apart or open it; what was tried before is remembered."""
+        if cut not in self._tried:
+            self._tried[cut] = self._shut_off(cut) or (self._opened(cut) if cut.line else self._lifted(cut))
+        return self._tried[cut]
 
     def slid(self, moved: frozenset[str]) -> Proof | Refusal:
         """Pull some parts out along the plane in which they lie."""
@@ -79,10 +86,10 @@ class Trial:
             return Refusal(cut.taken, f"laid from above it runs into {hit[0][1]}", _others(hit))
         return self._apart(cut.moved, cut.taken, direction, Way.LAID)
 
-    def _opened(self, cut: Cut, number: int) -> Proof | Refusal:
+    def _opened(self, cut: Cut) -> Proof | Refusal:
         bundle, rest = self.bundle, self.bundle.parts - cut.moved
         joint = bundle.joints[cut.line[0]]
-        ends = axis(bundle, joint)
+        ends = bundle.axis(joint)
         along = (ends[1] - ends[0]) / np.linalg.norm(ends[1] - ends[0])
         up = cut.side * bundle.up(joint.parts[0])
         lever, other = (np.cross(along, bundle.middle(group) - ends[0]) @ up for group in (cut.moved, rest))
@@ -96,7 +103,7 @@ class Trial:
             }
             hit = Passage(self.kit.outlines, motion).collisions(sorted(cut.moved), sorted(rest))
             if not hit:
-                left = bundle.without(cut.taken).swung(cut.moved, turns[0], number)
+                left = bundle.without(cut.taken).swung(cut.moved, turns[0], self.number)
                 blind = self._glueing(cut.taken).unseen(bundle.poses, left.poses)
                 movers = bundle.lighter(cut.moved)
                 up = up if movers == cut.moved else -up

@@ -1,14 +1,17 @@
 """An order found backwards: what can be taken off last goes on first.
 
-Every joint that is undone leaves more freedom: whatever can be undone with others in place can be undone without
-them as well. So it does not matter for success what is undone first, and nothing that was undone is regretted.
+Every joint that is undone leaves more freedom, so what was undone is rarely regretted, and nothing is tried twice.
+Two things may be regretted nevertheless. What was swung aside may lie in the way later: then all is folded up
+again, and a search swings several things aside in other orders. And what the rest would have guided to its place
+may be left hanging on nothing else: then it is brought there by hand.
 """
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
+from popsim.assembly.aside import Chain, swung_aside
 from popsim.assembly.bundle import Bundle
-from popsim.assembly.cut import Cut, cuts, ranks
+from popsim.assembly.cut import Cut, ranks
 from popsim.assembly.holding import Holding
 from popsim.assembly.kit import Kit
 from popsim.assembly.proof import Proof, Refusal
@@ -71,12 +74,11 @@ def _undoing(bundle: Bundle, stack: Stack, names: tuple[str, ...], number: int) 
     """How just these joints are undone, as things lie or folded up again; or the last reason against it."""
     refusal = Refusal(names, "it lies under other paper")
     for now in (bundle, bundle.folded()):
-        trial = Trial(now, stack)
-        exact = [cut for cut in cuts(now, stack) if set(cut.taken) == set(names)]
-        ways = [trial.cut(cut, number) for cut in exact]
+        trial = Trial(now, stack, number)
+        ways = [trial.cut(cut) for cut in trial.cuts if set(cut.taken) == set(names)]
         if len(names) == 1:
             holding = Holding(now, names[0])
-            ways += [holding.closed(), holding.pressed(), holding.tucked(stack)]
+            ways += [holding.closed(), holding.brought(), holding.pressed(), holding.tucked(stack)]
         for way in ways:
             if isinstance(way, Proof):
                 return way
@@ -93,6 +95,7 @@ class Unmaking:
         self.waiting = [Bundle.whole(kit)]
         self.stuck: list[Bundle] = []
         self.refusals: dict[str, str] = {}
+        self._begun: set[frozenset[str]] = set()
 
     def step(self) -> bool:
         """Undo something; False where nothing is left to undo."""
@@ -101,12 +104,12 @@ class Unmaking:
         if not self.waiting:
             return False
         bundle = self.waiting.pop()
-        proof = self._undone(bundle)
-        if proof is None:
-            self.stuck.append(bundle)
+        chain = self._undone(bundle)
+        if chain:
+            self.proofs += chain
+            self.waiting += chain[-1].apart
         else:
-            self.proofs.append(proof)
-            self.waiting += proof.apart
+            self.stuck.append(bundle)
         return True
 
     def order(self) -> Order:
@@ -114,67 +117,95 @@ class Unmaking:
         left = tuple(name for bundle in self.stuck for name in bundle.glued)
         return Order(tuple(reversed(self.proofs)), left, self.refusals)
 
-    def _undone(self, bundle: Bundle) -> Proof | None:
-        best: Proof | None = None
-        for result in self._ways(bundle):
-            if isinstance(result, Refusal):
-                for name in result.joints:
-                    self.refusals[name] = result.reason
-            elif result.is_easy:
-                return result
-            elif best is None or result.effort < best.effort:
-                best = result
-        return best
+    def _undone(self, bundle: Bundle) -> Chain:
+        """The way of least effort: lying and in sight, else lying, else held open; empty where there is none."""
+        for ways in (self._lying, self._opened_up, self._standing):
+            blind: list[Chain] = []
+            for chain in ways(bundle):
+                if not chain[-1].blind:
+                    return chain
+                blind.append(chain)
+            if blind:
+                return min(blind, key=lambda chain: len(chain[-1].blind))
+        return ()
 
-    def _ways(self, bundle: Bundle) -> Iterator[Proof | Refusal]:
-        """What could be undone, the easiest first."""
-        trial, number = Trial(bundle, self.stack), len(self.proofs)
-        found = list(cuts(bundle, self.stack))
-        refusals = []
-        for cut in self._few(found):
-            result = trial.cut(cut, number)
+    def _lying(self, bundle: Bundle) -> Iterator[Chain]:
+        """What can be undone lying, the easiest first."""
+        trial = Trial(bundle, self.stack, len(self.proofs))
+        yield from self._proved(self._taken_off(trial))
+        yield from self._proved(self._begun_anew(trial))
+        yield from self._proved(self._guided(trial))
+
+    def _begun_anew(self, trial: Trial) -> Iterator[Proof | Refusal]:
+        """With all folded up again: what can be undone at once, or after swinging one thing aside.
+
+        The swing comes alone: more may come off in sight after it. It is made once for what is joined, so that
+        nothing goes to and fro for ever.
+        """
+        if any(trial.bundle.sheets.values()):
+            trial = Trial(trial.bundle.folded(), self.stack, trial.number)
+            yield from (trial.cut(cut) for cut in self._few(trial.cuts))
+        joined = frozenset(trial.bundle.joints)
+        for swing in trial.cuts if joined not in self._begun else ():
+            if not swing.taken and isinstance(proof := trial.cut(swing), Proof):
+                after = Trial(proof.apart[0], self.stack, trial.number + 1)
+                if any(isinstance(after.cut(cut), Proof) for cut in self._few(after.cuts)):
+                    self._begun.add(joined)
+                    yield proof
+
+    def _opened_up(self, bundle: Bundle) -> Iterator[Chain]:
+        """What can be undone lying after several things were swung aside."""
+        chain = swung_aside(bundle, self.stack, len(self.proofs), self._few)
+        if chain:
+            yield chain
+
+    def _taken_off(self, trial: Trial) -> Iterator[Proof | Refusal]:
+        """What could be taken off as all lies, or after what is in the way was swung aside."""
+        bundle, refusals = trial.bundle, []
+        for cut in self._few(trial.cuts):
+            result = trial.cut(cut)
             yield result
             if isinstance(result, Refusal):
                 refusals.append(result)
-        swings = [cut for cut in found if not cut.taken]
-        for cut in self._helpful(swings, refusals):
-            yield trial.cut(cut, number)
+        yield from (trial.cut(cut) for cut in self._helpful(trial.cuts, refusals))
         for piece in self.kit.layout.pieces:
             moved = frozenset(piece.motions) & bundle.parts
             if moved and moved != bundle.parts and len(bundle.groups(bundle.parts - moved)) == 1:
                 yield trial.slid(moved)
-        for cut in swings:
-            yield trial.cut(cut, number)
-        yield from self._begun_anew(bundle.folded(), number)
-        singles = sorted(bundle.glued, key=lambda name: self.ranks[name])
-        for name in singles:
-            yield Holding(bundle, name).closed()
-        for cut in sorted(found, key=self._key):
-            if len(cut.taken) > AT_ONCE:
-                yield trial.cut(cut, number)
-        for name in singles:
-            yield Holding(bundle, name).pressed()
-        for name in singles:
-            yield Holding(bundle, name).tucked(self.stack)
+        yield from (trial.cut(cut) for cut in trial.cuts if not cut.taken)
 
-    def _begun_anew(self, bundle: Bundle, number: int) -> Iterator[Proof | Refusal]:
-        """With all folded up again: what can be undone at once, or after swinging one thing aside."""
-        trial = Trial(bundle, self.stack)
-        every = list(cuts(bundle, self.stack))
-        yield from (trial.cut(cut, number) for cut in self._few(every))
-        for swing in every:
-            if not swing.taken and isinstance(proof := trial.cut(swing, number), Proof):
-                after = Trial(proof.apart[0], self.stack)
-                found = self._few(cuts(after.bundle, self.stack))
-                if any(isinstance(after.cut(cut, number + 1), Proof) for cut in found):
-                    yield proof
+    def _guided(self, trial: Trial) -> Iterator[Proof | Refusal]:
+        """What could be undone where the rest guides it, and what glues much at once."""
+        singles = self._singles(trial.bundle)
+        yield from (Holding(trial.bundle, name).closed() for name in singles)
+        yield from (trial.cut(cut) for cut in sorted(trial.cuts, key=self._key) if len(cut.taken) > AT_ONCE)
+        yield from (Holding(trial.bundle, name).tucked(self.stack) for name in singles)
+
+    def _standing(self, bundle: Bundle) -> Iterator[Chain]:
+        """What can be undone with things held open by hand."""
+        singles = self._singles(bundle)
+        yield from self._proved(Holding(bundle, name).pressed() for name in singles)
+        yield from self._proved(Holding(bundle, name).brought() for name in singles)
+
+    def _proved(self, results: Iterable[Proof | Refusal]) -> Iterator[Chain]:
+        """Those that can be done; of the others the reasons are noted."""
+        for result in results:
+            if isinstance(result, Proof):
+                yield (result,)
+            else:
+                self.refusals |= dict.fromkeys(result.joints, result.reason)
+
+    def _singles(self, bundle: Bundle) -> list[str]:
+        """The glue joints, what is undone early first."""
+        return sorted(bundle.glued, key=lambda name: self.ranks[name])
 
     def _few(self, found: Iterable[Cut]) -> list[Cut]:
         """Those that undo something, but not too much at once, the best first."""
         return sorted((cut for cut in found if 0 < len(cut.taken) <= AT_ONCE), key=self._key)
 
-    def _helpful(self, swings: list[Cut], refusals: list[Refusal]) -> Iterator[Cut]:
+    def _helpful(self, found: Iterable[Cut], refusals: list[Refusal]) -> Iterator[Cut]:
         """What can be swung aside so that something that was refused comes free."""
+        swings = [cut for cut in found if not cut.taken]
         for refusal in refusals:
             kept = {part for name in refusal.joints for part in self.kit.joints[name].parts}
             for cut in swings:

@@ -12,8 +12,9 @@ class Way(Enum):
     CLOSED = "glued open, then folded as in the finished pop-up and pressed down flat"
     TUCKED = "tucked in between layers, out of sight, and pressed down flat"
     HELD = "held open and pressed between two fingers"
+    BROUGHT = "brought to its place held open, then folded as in the finished pop-up and pressed down flat"
 
     @property
     def lying(self) -> bool:
-        """Whether everything lies flat while it is pressed; else the joint is made standing up."""
-        return self is not Way.HELD
+        """Whether nothing is held open by hand until it sticks; else the joint is made standing up."""
+        return self not in (Way.HELD, Way.BROUGHT)

@@ -38,6 +38,7 @@ WAYS = {
     Way.FOLDED: "Fold it over and press.",
     Way.CLOSED: "Put the glue on at {degrees:.0f} degrees, fold all flat and press.",
     Way.TUCKED: "Tuck the flap in between the layers with tweezers and press.",
+    Way.BROUGHT: "Hold all open at {degrees:.0f} degrees, put it to its place, then fold all flat and press.",
     Way.HELD: "Hold it open at {degrees:.0f} degrees and press the flaps between two fingers.",
 }
 

@@ -5,6 +5,7 @@ from functools import cache
 import numpy as np
 import pytest
 
+from popsim.assembly.aside import swung_aside
 from popsim.assembly.bundle import Bundle
 from popsim.assembly.cut import Cut, cuts
 from popsim.assembly.holding import Holding
@@ -77,7 +78,7 @@ def test_what_lies_under_other_paper_cannot_be_lifted() -> None:
     whole, stack = Bundle.whole(kit), Stack(kit)
     taken = tuple(one.id for one in whole.crossing({"M1.C"}))
     for side in (1, -1):
-        result = Trial(whole, stack).cut(Cut(frozenset({"M1.C"}), taken, (), side), 0)
+        result = Trial(whole, stack, 0).cut(Cut(frozenset({"M1.C"}), taken, (), side))
         assert isinstance(result, Refusal)
         assert result.blockers
 
@@ -108,3 +109,33 @@ def test_motions_are_rigid_and_end_where_things_belong() -> None:
         for poses in proof.motion.values():
             turns = poses[:, :3, :3]
             assert np.allclose(turns @ np.swapaxes(turns, 1, 2), np.eye(3), atol=1e-6)
+
+
+def test_what_hangs_on_nothing_else_is_brought_by_hand() -> None:
+    """A backbone that is held by its top alone comes from beside; in the whole box it cannot be taken away."""
+    kit = box()
+    late = joint("M1.C", "M1.T_G")
+    whole = Bundle.whole(kit)
+    loose = whole.without({one.id for one in whole.crossing({"M1.C"})} - {late})
+    proof = Holding(loose, late).brought()
+    assert isinstance(proof, Proof)
+    assert proof.way is Way.BROUGHT
+    assert not proof.is_easy
+    assert sorted(len(one.parts) for one in proof.apart)[0] == 1
+    refusal = Holding(whole, late).brought()
+    assert isinstance(refusal, Refusal)
+    assert "taken away" in refusal.reason
+
+
+def test_several_things_are_swung_aside_only_if_something_comes_off_then() -> None:
+    """The backbone lies between the sides of its box: at least one of them goes aside first."""
+    kit = box()
+    late, stack = joint("M1.C", "M1.T_G"), Stack(kit)
+    whole = Bundle.whole(kit)
+    own = whole.only({name for name in whole.parts if name.startswith("M1.")})
+    loose = own.without(set(own.glued) - {late})
+    chain = swung_aside(loose, stack, 0, lambda found: [cut for cut in found if cut.taken])
+    assert len(chain) > 1
+    assert not any(proof.joints for proof in chain[:-1])
+    assert chain[-1].joints == (late,)
+    assert swung_aside(loose, stack, 0, lambda found: []) == ()
