@@ -4,23 +4,13 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-import numpy as np
-
 from popsim.assembly.step import Step
-from popsim.geometry.arrays import FloatArray
+from popsim.geometry.plane import path_length
 from popsim.layout import Layout
-
-PER_METRE = 3.0
-"""Minutes to cut one metre by knife or scissors."""
-
-PER_CREASE = 0.25
-"""Minutes to score a crease and to bend it."""
+from popsim.mechanisms.effort import PER_CREASE, PER_JOINT, PER_METRE
 
 PER_STEP = 0.5
 """Minutes to read a step and to take things up for it."""
-
-PER_JOINT = 1.0
-"""Minutes to put glue onto a flap, to press it and to let it set."""
 
 STANDING = 1.0
 """Minutes more for a joint that is held between two fingers until it sets."""
@@ -79,12 +69,8 @@ def ease_of(layout: Layout, steps: Iterable[Step]) -> Ease:
     standing = sum(len(step.joints) for step, found in glued if found.feasible and not found.lying)
     blind = sum(len(found.blind) for _, found in glued)
     unproved = sum(len(step.joints) for step, found in glued if not found.feasible)
-    cut = sum(piece.outline.length + sum(_length(slit) for slit in piece.slits) for piece in layout.pieces) / 1000
+    cut = sum(piece.outline.length + sum(map(path_length, piece.slits)) for piece in layout.pieces) / 1000
     creases = sum(len(piece.folds) for piece in layout.pieces)
     minutes = PER_METRE * cut + PER_CREASE * creases + PER_STEP * len(listed) + PER_JOINT * joints
     minutes += STANDING * (standing + unproved) + BLIND * blind
     return Ease(len(listed), joints, standing, blind, unproved, minutes)
-
-
-def _length(line: FloatArray) -> float:
-    return float(np.linalg.norm(np.diff(line, axis=0), axis=1).sum())

@@ -107,6 +107,11 @@ def line_distance(points: FloatArray, axis: FloatArray) -> FloatArray:
     return np.asarray(np.linalg.norm(rel - (rel @ direction)[..., None] * direction, axis=-1))
 
 
+def path_length(points: FloatArray) -> float:
+    """Length of the path through points (n, d), mm."""
+    return float(np.linalg.norm(np.diff(points, axis=0), axis=1).sum())
+
+
 def common_line(one: Plane, other: Plane) -> FloatArray:
     """Two points, 1 apart, of the line that two planes share, shape (2, 3).
 
