@@ -35,8 +35,10 @@ def plan_pieces(
         A joint has room for a flap on neither side, whatever is opened.
     """
     parts = {part.id: part for part in listed}
+    seams = any(joint.hinge is None for joint in joints)
+    allowance = 2 * (settings.seam_depth if seams else settings.flap_depth)
     for _ in range(ROUNDS):
-        nets = find_nets(listed, joints, room, 2 * settings.flap_depth, barred)
+        nets = find_nets(listed, joints, room, allowance, barred)
         flaps, left = plan_flaps(parts, joints, nets, settings, in_the_way)
         opened = frozenset(fold for joint in left for fold in _holding(joint, parts, nets))
         if not opened:

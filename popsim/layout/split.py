@@ -20,6 +20,9 @@ if TYPE_CHECKING:
 MOST_PARTS = 16
 """A patch that needs more is refused: nobody glues a poster from handkerchiefs."""
 
+NARROWEST = 10.0
+"""mm; parts of less beside the flaps of their seams are none."""
+
 CANDIDATES = 25
 """Places tried for each seam."""
 
@@ -47,21 +50,35 @@ def divide(design: Design, paper: Paper, settings: LayoutSettings) -> tuple[Part
     """
     parts: list[Part] = []
     marks: list[FloatArray] = []
-    room = settings.area(paper)
     for patch in design.patches:
         part = whole(patch)
         hinges = design.hinges_by_patch[patch.id]
-        if fits(_with_flaps(part, hinges, settings), room, 0.0):
+        with_flaps = _with_flaps(part, hinges, settings)
+        if fits(with_flaps, settings.area(paper), 0.0):
             parts.append(part)
             continue
         lines = [part.flat(hinge.points) for hinge in hinges]
         wished = [part.flat(mark) for mark in marks if abs(float(part.plane.distance(mark))) < TOUCHING]
-        polygons = _cut(part.polygon, room, settings.flap_depth + settings.seam_depth, Hints(lines, wished))
-        if not settings.split or len(polygons) > MOST_PARTS:
-            raise _too_large(part, _with_flaps(part, hinges, settings), paper, settings, len(polygons))
+        polygons = _divided(part, with_flaps, paper, settings, Hints(lines, wished))
         parts += [Part(f"{part.id}/{k}", patch, part.plane, p) for k, p in enumerate(polygons, 1)]
         marks += [part.plane.lift(np.array(corner)) for p in polygons for corner in p.exterior.coords[:-1]]
     return tuple(parts)
+
+
+def _divided(
+    part: Part, with_flaps: "Polygon", paper: Paper, settings: LayoutSettings, hints: Hints
+) -> list["Polygon"]:
+    """The outlines of the parts; LayoutError where it may not be divided, or only into too many."""
+    room = settings.area(paper)
+    allowance = 2 * settings.seam_depth  # a part in the middle may carry the flaps of both its seams
+    if not settings.split:
+        raise _too_large(part, with_flaps, paper, settings, "dividing it is switched off")
+    if min(room) < allowance + NARROWEST:
+        raise _too_large(part, with_flaps, paper, settings, "its parts would have no room for their flaps")
+    polygons = _cut(part.polygon, room, allowance, hints)
+    if len(polygons) > MOST_PARTS:
+        raise _too_large(part, with_flaps, paper, settings, f"it would take {len(polygons)} parts")
+    return polygons
 
 
 def fits(polygon: "Polygon", room: tuple[float, float], allowance: float) -> bool:
@@ -92,14 +109,11 @@ def aslant(polygon: "Polygon") -> tuple[float, float]:
     return float(np.linalg.norm(corners[1] - corners[0])), float(np.linalg.norm(corners[2] - corners[1]))
 
 
-def _too_large(
-    part: Part, with_flaps: "Polygon", paper: Paper, settings: LayoutSettings, count: int
-) -> LayoutError:
+def _too_large(part: Part, with_flaps: "Polygon", paper: Paper, settings: LayoutSettings, why: str) -> LayoutError:
     size, whole_size = (np.array(shape.bounds[2:]) - shape.bounds[:2] for shape in (part.polygon, with_flaps))
     room = np.array(settings.area(paper))
     fitting = max(float(((side - (whole_size - size)) / size).min()) for side in (room, room[::-1]))
     scale = np.floor(1000 * fitting) / 1000
-    why = f"it would take {count} parts" if settings.split else "dividing it is switched off"
     return LayoutError(
         f"{part.patch.id} measures {min(size):.1f} x {max(size):.1f} mm, more than {paper.name} holds within its "
         f"margins, and {why}; scale the design by {scale:.3f} or less, or use larger paper"

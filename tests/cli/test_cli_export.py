@@ -45,3 +45,14 @@ def test_unknown_formats_are_refused_with_the_known(popsim, design: Path) -> Non
     done = popsim("export", design, "--format", "docx")
     assert done.returncode == 2
     assert "pdf" in done.stderr and "glb" in done.stderr
+
+
+def test_a_design_too_large_for_its_sheet_is_refused_with_the_scale_that_fits(popsim, design: Path) -> None:
+    done = popsim("export", design, "--paper", "50x70mm")
+    assert done.returncode == 2
+    assert len(done.stderr.splitlines()) == 1
+    assert done.stderr.startswith("popsim: G measures 90.0 x 120.0 mm, more than 50x70mm holds within its margins")
+    assert "scale the design by 0." in done.stderr
+    assert "Traceback" not in done.stderr
+    assert not design.with_suffix(".pdf").exists()
+    assert popsim("export", design, "--paper", "100x120mm").returncode == 0

@@ -48,3 +48,14 @@ def test_larger_paper_needs_no_seam() -> None:
 def test_a_poster_is_refused() -> None:
     with pytest.raises(LayoutError, match="parts"):
         lay_out(scaled(6.0), paper="A5")
+
+
+def test_parts_go_onto_the_sheet_with_the_flaps_of_all_their_seams() -> None:
+    layout = lay_out(scaled(0.5), paper="100x110mm")
+    assert {"G/3", "B/3"} <= layout.parts.keys()
+    assert len(layout.placements) == len(layout.pieces)
+
+
+def test_sheets_too_narrow_for_seams_are_refused() -> None:
+    with pytest.raises(LayoutError, match=r"no room for their flaps; scale the design by 0\.\d+ or less"):
+        lay_out(scaled(1.0), paper="50x200mm", settings=LayoutSettings(margin=12.0))
