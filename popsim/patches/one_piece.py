@@ -27,13 +27,14 @@ def finished(piece: Piece, settings: PatchSettings) -> tuple["Polygon", list[str
     """
     shape = union(simplified(piece.shape, settings), *piece.held)
     shape = straightened(shape, piece.face, settings)
-    outline, notes = _one_piece(polygons(shape), piece)
+    outline, notes = in_one_piece(polygons(shape), piece)
     if outline is None:
         return piece.face, [f"{piece.id}: the model does not show on it; it is the plain face"]
     return tidy(_without_small_holes(outline, piece, settings)), notes
 
 
-def _one_piece(parts: list["Polygon"], piece: Piece) -> tuple["Polygon | None", list[str]]:
+def in_one_piece(parts: list["Polygon"], piece: Piece) -> tuple["Polygon | None", list[str]]:
+    """The largest of some parts of a piece, joined by what is near or needed at its hinges; and notes."""
     if not parts:
         return None, []
     main, notes = parts[0], []

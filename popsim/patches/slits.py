@@ -13,6 +13,7 @@ from popsim.mechanisms import Mechanism
 from popsim.patches.clean import polygons, tidy, union, without
 from popsim.patches.crossing import beyond, touched
 from popsim.patches.hold import WITHIN, Run, least_hold
+from popsim.patches.one_piece import in_one_piece
 from popsim.patches.piece import Piece
 from popsim.patches.settings import PatchSettings
 
@@ -50,10 +51,10 @@ def cut_slits(
                 continue
             for inner, outer in (names, names[::-1]):
                 if not pieces[inner].plate.principal and pieces[outer].plate.principal:
-                    _slit(Run.of(pieces[inner], joint.axis), Run.of(pieces[outer], joint.axis), outlines, settings)
+                    slit(Run.of(pieces[inner], joint.axis), Run.of(pieces[outer], joint.axis), outlines, settings)
 
 
-def _slit(fin: Run, host: Run, outlines: dict[str, "Polygon"], settings: PatchSettings) -> None:
+def slit(fin: Run, host: Run, outlines: dict[str, "Polygon"], settings: PatchSettings) -> None:
     """Cut the slits of one fin along one line into the outline of the host.
 
     Where they would leave too little of the hinge, the fin gets a narrower neck or, at last, is cut off.
@@ -64,7 +65,7 @@ def _slit(fin: Run, host: Run, outlines: dict[str, "Polygon"], settings: PatchSe
     spans = _spans(fin, outlines[inner])
     if not spans:
         return
-    plain = tidy(polygons(without(outlines[inner], beyond(fin, fin.inward)))[0])
+    plain = _whole(fin, without(outlines[inner], beyond(fin, fin.inward)))
     least = least_hold(fin.length, settings)
     slit = without(outlines[outer], _slits(host, spans))
     lack = least - _held(fin, host, plain, slit)
@@ -87,9 +88,14 @@ def _necked(fin: Run, outline: "Polygon", spans: Sequence[tuple[float, float]], 
         notches = [
             _above(fin, a, b) for a, b in ((low - PLAY, start), (start + neck, high + PLAY)) if b - a > PLAY
         ]
-        parts = polygons(without(outline, union(*notches)))
-        found.append(tidy(parts[0]))
+        found.append(_whole(fin, without(outline, union(*notches))))
     return sorted(found, key=lambda each: -each.area)
+
+
+def _whole(fin: Run, shape: "BaseGeometry") -> "Polygon":
+    """What is left of a fin and its patch, as one piece that still reaches all its hinges."""
+    outline, _ = in_one_piece(polygons(shape), fin.piece)
+    return fin.piece.face if outline is None else tidy(outline)
 
 
 def _above(fin: Run, low: float, high: float) -> "Polygon":

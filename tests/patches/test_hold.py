@@ -12,6 +12,7 @@ from popsim.patches.crossing import Meeting, uncross
 from popsim.patches.hold import Run, hold
 from popsim.patches.one_piece import finished
 from popsim.patches.piece import Piece
+from popsim.patches.slits import slit
 
 SETTINGS = PatchSettings()
 LINE = np.array([[0.0, 0.0, 0.0], [100.0, 0.0, 0.0]])
@@ -171,6 +172,18 @@ def test_a_bridge_that_would_leave_the_room_starts_from_the_face():
     outline, _ = finished(own, SETTINGS)
     assert outline.buffer(0.1).contains(own.shape)
     assert outline.area - before == pytest.approx(3 * 40, abs=10)
+
+
+def test_a_fin_that_is_cut_takes_no_other_hinge_along():
+    arch = union(box(0, 0, 30, 40), box(70, 0, 100, 40), box(0, 40, 100, 60))
+    inside = piece(arch, face=(0, 0, 100, 40), room=(0, 0, 100, 70), principal=False, name="C")
+    inside.held += [box(5, 0, 25, 2), box(75, 0, 95, 2), box(0, 38, 30, 40)]
+    host = piece(box(0, 30, 100, 40), face=(0, 30, 100, 40), name="T")
+    top = LINE + np.array([0.0, 0.0, 40.0])
+    outlines = {"C": arch, "T": host.shape}
+    slit(Run.of(inside, top), Run.of(host, top), outlines, SETTINGS)
+    assert outlines["C"].geom_type == outlines["T"].geom_type == "Polygon"
+    assert all(outlines["C"].buffer(0.01).contains(strip) for strip in inside.held)
 
 
 def test_nothing_at_all_gives_the_plain_face_with_a_note():
