@@ -10,13 +10,14 @@ PRESSED for each flap between them, and nips up to NIP wide, are that and nothin
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from popsim.design import Patch
-from popsim.geometry.arrays import FloatArray
-from popsim.geometry.flat import common
+from popsim.geometry.arrays import FloatArray, cross
+from popsim.geometry.chords import chords, edges_of, shared
 from popsim.geometry.plane import common_line
 from popsim.geometry.rigid import transform
 from popsim.gluing.plates import plate_id, with_flaps
@@ -27,7 +28,7 @@ from popsim.simulation.candidates import candidate_pairs
 from popsim.simulation.contact import searched_frames
 
 if TYPE_CHECKING:
-    from shapely.geometry.base import BaseGeometry
+    from shapely.geometry import LinearRing
 
 PRESSED = np.radians(15)
 """rad; plates with one flap between them that are flatter on each other than this are pressed together."""
@@ -40,9 +41,6 @@ LEAST = 0.05
 
 SAMPLES = 9
 """Places along a cut at which its distance from the rim is taken."""
-
-FAR = 1e5
-"""mm; beyond all paper."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -86,16 +84,21 @@ def find_flap_contacts(
         Of the paper, mm.
     """
     folded = with_flaps(parts, flaps, sweep, thickness)
-    plates = {plate_id(flap): flap for flap in flaps}
+    by_id = {plate_id(flap): flap for flap in flaps}
+    plates = [_Plate(patch) for patch in folded.design.patches]
+    names = [patch.id for patch in folded.design.patches]
     found = []
     for candidate in candidate_pairs(folded, searched_frames(sweep, LEAST), LEAST):
-        ids = [folded.design.patches[k].id for k in candidate.pair]
-        for own, other in (ids, ids[::-1]):
-            if own in plates:
-                cuts = [cut for frame in candidate.angles for cut in _cuts(folded, own, other, frame, plates)]
-                if cuts:
-                    found.append(_contact(parts[plates[own].target], folded, plates[own], other, cuts))
-    order = {name: k for k, name in enumerate(plates)}
+        for own, other in (candidate.pair, candidate.pair[::-1]):
+            flap = by_id.get(names[own])
+            if flap is None:
+                continue
+            pressed = PRESSED * (1 + (names[other] in by_id))
+            pair = plates[own], plates[other]
+            cuts = [cut for k in candidate.angles for cut in _cuts(folded, pair, (own, other), k, pressed)]
+            if cuts:
+                found.append(_contact(parts[flap.target], folded, flap, names[other], cuts))
+    order = {name: k for k, name in enumerate(by_id)}
     return tuple(sorted(found, key=lambda contact: (order[plate_id(contact.flap)], contact.other)))
 
 
@@ -124,37 +127,43 @@ def _contact(target: Part, folded: Sweep, flap: Flap, other: str, cuts: list[_Cu
     return FlapContact(flap, other, float(folded.theta[worst.frame]), worst.bite, lines)
 
 
-def _cuts(folded: Sweep, own: str, other: str, frame: int, flaps: dict[str, Flap]) -> Iterator[_Cut]:
-    """How plate `own` is cut by `other` at a recorded angle, unless they are only pressed together."""
+class _Plate:
+    """A patch with what is asked of it again and again, flat."""
+
+    def __init__(self, patch: Patch) -> None:
+        self.plane = patch.plane
+        self.outline = self.plane.flat(patch.points)
+        self.edges = edges_of([self.outline, *(self.plane.flat(hole) for hole in patch.hole_points)])
+
+    @cached_property
+    def rim(self) -> "LinearRing":
+        """The outline."""
+        import shapely
+
+        return shapely.LinearRing(self.outline)
+
+
+def _cuts(
+    folded: Sweep, plates: tuple[_Plate, _Plate], at: tuple[int, int], frame: int, pressed: float
+) -> Iterator[_Cut]:
+    """How the first of two plates is cut by the other at a recorded angle, unless they are only pressed together.
+
+    `at`: their places in the sweep; `pressed`: how flat on each other they are then, rad.
+    """
     import shapely
 
-    mine, theirs = (folded.design.patch_by_id[name] for name in (own, other))
-    relative = np.linalg.inv(folded.poses[frame, folded.index[own]]) @ folded.poses[frame, folded.index[other]]
+    mine, theirs = plates
+    poses = folded.poses[frame, list(at)]
+    relative = np.linalg.inv(poses[0]) @ poses[1]
     normal = relative[:3, :3] @ theirs.plane.normal
-    sine = float(np.linalg.norm(np.cross(mine.plane.normal, normal)))
-    if sine < np.sin(PRESSED * (1 + (other in flaps))):
+    if np.linalg.norm(cross(mine.plane.normal, normal)) < np.sin(pressed):
         return
     line = common_line(mine.plane, theirs.plane.moved(relative))
-    cut = common(_along(mine, line), _along(theirs, transform(np.linalg.inv(relative), line)))
-    rim = mine.plane.polygon(mine.points).boundary
-    for piece in shapely.get_parts(cut):
-        if piece.is_empty:
-            continue
-        start, end = shapely.get_coordinates(piece)[[0, -1], 0]
-        along = np.linspace(start, end, SAMPLES)[:, None]
-        spots = line[0] + along * (line[1] - line[0])
-        depths = shapely.distance(shapely.points(mine.plane.flat(spots)), rim)
+    back = transform(np.linalg.inv(relative), line)
+    for stretch in shared(
+        chords(mine.edges, mine.plane.flat(line)), chords(theirs.edges, theirs.plane.flat(back))
+    ):
+        spots = line[0] + np.linspace(stretch[0], stretch[1], SAMPLES)[:, None] * (line[1] - line[0])
+        depths = shapely.distance(shapely.points(mine.plane.flat(spots)), mine.rim)
         if depths.max() > NIP:
             yield _Cut(frame, float(depths.max()), spots[[0, -1]])
-
-
-def _along(patch: Patch, line: FloatArray) -> "BaseGeometry":
-    """Where a line (2, 3) in the plane of a patch runs over it, as stretches of the x axis, mm from its start."""
-    import shapely
-
-    start, end = patch.plane.flat(line)
-    along = (end - start) / np.linalg.norm(end - start)
-    across = np.array([-along[1], along[0]])
-    polygon = patch.plane.polygon(patch.points, patch.hole_points)
-    turned = shapely.transform(polygon, lambda spots: (spots - start) @ np.stack([along, across], axis=1))
-    return turned.intersection(shapely.LineString([(-FAR, 0.0), (FAR, 0.0)]))
