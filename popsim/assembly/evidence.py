@@ -9,10 +9,16 @@ from popsim.assembly.reference import Reference
 DIGITS = 4
 """Decimals of lengths in the report, mm."""
 
+FOLDS_FLAT = "along the motion simulated with all joints: it keeps those made so far; a hand leads loose parts"
+"""What a report means by folding flat in the middle of the assembly."""
+
 
 @dataclass(frozen=True)
 class Folded:
-    """How the partial structure folds flat along the recorded motion.
+    """How the partial structure folds flat along the recorded motion of the finished pop-up.
+
+    It has fewer joints than that, so the motion that was integrated with all of them keeps those it has; how well
+    is measured. A run of its own could show no more: what hangs loose in it moves as a hand leads it.
 
     Attributes
     ----------

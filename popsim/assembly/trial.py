@@ -3,7 +3,7 @@
 A step is looked at from its end: what is undone by a motion is made by the same motion backwards.
 """
 
-from functools import cached_property
+from functools import cached_property, partial
 
 import numpy as np
 
@@ -25,7 +25,7 @@ SHOWN = 0.5
 """How far away a piece is shown before it is laid, over its size."""
 
 FOLDED_OVER = (172.0, 120.0, 75.0)
-"""Degrees by which what is folded over something is opened, the first that goes."""
+"""Degrees by which what is folded over something is opened, the first that goes; without the last none does."""
 
 BESIDE = (75.0, 40.0)
 """The same for what lies on the other side of the line."""
@@ -93,22 +93,30 @@ class Trial:
         along = (ends[1] - ends[0]) / np.linalg.norm(ends[1] - ends[0])
         up = cut.side * bundle.up(joint.parts[0])
         lever, other = (np.cross(along, bundle.middle(group) - ends[0]) @ up for group in (cut.moved, rest))
-        hit: list[Pair] = []
-        for degrees in FOLDED_OVER if lever * other > 0 else BESIDE:
-            steps = np.linspace(np.radians(degrees), 0.0, int(np.ceil(np.radians(degrees) / FINE)) + 1)
-            turns = turns_about(along, ends[0], np.sign(lever) * steps)
-            motion = {
-                name: turns @ pose if name in cut.moved else np.broadcast_to(pose, turns.shape)
-                for name, pose in bundle.poses.items()
-            }
-            hit = Passage(self.kit.outlines, motion).collisions(sorted(cut.moved), sorted(rest))
-            if not hit:
-                left = bundle.without(cut.taken).swung(cut.moved, turns[0], self.number)
-                blind = self._glueing(cut.taken).unseen(bundle.poses, left.poses)
-                movers = bundle.lighter(cut.moved)
-                up = up if movers == cut.moved else -up
-                return Proof(Way.FOLDED, cut.taken, blind, motion, movers, up, (left,))
-        return Refusal(cut.taken, f"folded over it runs into {hit[0][1]}", _others(hit))
+        *wider, least = FOLDED_OVER if lever * other > 0 else BESIDE
+        turned = partial(self._turned, cut.moved, along, ends[0], float(np.sign(lever)))
+        narrow = turned(least)
+        if hit := narrow[2]:
+            return Refusal(cut.taken, f"folded over it runs into {hit[0][1]}", _others(hit))
+        turns, motion, _ = next((one for one in map(turned, wider) if not one[2]), narrow)
+        left = bundle.without(cut.taken).swung(cut.moved, turns[0], self.number)
+        blind = self._glueing(cut.taken).unseen(bundle.poses, left.poses)
+        movers = bundle.lighter(cut.moved)
+        up = up if movers == cut.moved else -up
+        return Proof(Way.FOLDED, cut.taken, blind, motion, movers, up, (left,))
+
+    def _turned(
+        self, moved: frozenset[str], along: FloatArray, point: FloatArray, sense: float, degrees: float
+    ) -> tuple[FloatArray, Poses, list[Pair]]:
+        """Turns (k, 4, 4) about a line from so many degrees to none, the motion of all parts, and what it hits."""
+        steps = np.linspace(np.radians(degrees), 0.0, int(np.ceil(np.radians(degrees) / FINE)) + 1)
+        turns = turns_about(along, point, sense * steps)
+        motion = {
+            name: turns @ pose if name in moved else np.broadcast_to(pose, turns.shape)
+            for name, pose in self.bundle.poses.items()
+        }
+        rest = self.bundle.parts - moved
+        return turns, motion, Passage(self.kit.outlines, motion).collisions(sorted(moved), sorted(rest))
 
     def _apart(self, moved: frozenset[str], taken: tuple[str, ...], direction: FloatArray, way: Way) -> Proof:
         """The proof that two bundles come together along a straight line; the lighter one is moved in pictures."""

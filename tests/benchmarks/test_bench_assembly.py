@@ -1,12 +1,12 @@
 """What planning the assembly costs and what it saves: against orders drawn at random of all that can be done."""
 
 import time
+from itertools import chain
 from random import Random
 
 from conftest import Report
 
 from popsim.assembly.bundle import Bundle
-from popsim.assembly.cut import cuts
 from popsim.assembly.holding import Holding
 from popsim.assembly.kit import Kit
 from popsim.assembly.proof import Proof
@@ -35,14 +35,10 @@ def at_random(kit: Kit, rng: Random) -> tuple[Proof, ...]:
 
 
 def _undone(bundle: Bundle, stack: Stack, name: str, number: int) -> Proof | None:
-    trial, folded = Trial(bundle, stack), bundle.folded()
-    for cut in cuts(bundle, stack):
-        if cut.taken == (name,) and isinstance(proof := trial.cut(cut, number), Proof):
-            return proof
-    for way in (Holding(folded, name).closed, Holding(folded, name).pressed):
-        if isinstance(proof := way(), Proof):
-            return proof
-    return None
+    trial, holding = Trial(bundle, stack, number), Holding(bundle.folded(), name)
+    lying = (trial.cut(cut) for cut in trial.cuts if cut.taken == (name,))
+    held = (way() for way in (holding.closed, holding.pressed, holding.brought))
+    return next((result for result in chain(lying, held) if isinstance(result, Proof)), None)
 
 
 def test_planned_and_random_orders(report: Report) -> None:
@@ -58,7 +54,7 @@ def test_planned_and_random_orders(report: Report) -> None:
     means = [sum(row[k] for row in rows) / len(rows) for k in range(len(rows[0]))]
     heads = ("parts", "s", "steps", "standing", "blind", "left", "steps, random", "standing", "blind", "left")
     report(f"assembly of {DESIGNS} random designs, the last row their mean", heads, [*rows, means])
-    assert means[3] <= means[7]
+    assert means[3] + means[5] <= means[7] + means[9]
 
 
 def _counts(kit: Kit, proofs: tuple[Proof, ...]) -> tuple[int, int, int, int]:
