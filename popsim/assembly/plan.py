@@ -3,6 +3,7 @@
 from dataclasses import dataclass, replace
 from typing import Any
 
+from popsim.assembly.at_once import glued_together
 from popsim.assembly.ease import Ease, ease_of
 from popsim.assembly.evidence import Evidence, Folded
 from popsim.assembly.kind import StepKind
@@ -68,11 +69,12 @@ def plan_assembly(layout: Layout, sweep: Sweep) -> AssemblyPlan:
     """
     kit = Kit(layout, sweep)
     found = find_order(kit)
-    order = tuple(name for proof in found.proofs for name in proof.joints) + found.left
+    proofs = glued_together(found.proofs)
+    order = tuple(name for proof in proofs for name in proof.joints) + found.left
     numbered = replace(layout, numbers={name: k for k, name in enumerate(order, 1)})
     steps = _Steps(kit, numbered)
     steps.add(StepKind.CUT, (), cutting_text(numbered), pieces=tuple(piece.name for piece in layout.pieces))
-    for proof in found.proofs:
+    for proof in proofs:
         steps.prove(proof)
     for name in found.left:
         steps.doubt(name, found)
@@ -109,9 +111,6 @@ class _Steps:
         )
         kind = StepKind.LAY if proof.way in (Way.LAID, Way.SLID) else StepKind.FOLD
         words = way_text(proof.way, proof.degrees)
-        if self._folded:
-            words = f"{folding_text(dict.fromkeys(self._folded))} {words}"
-            self._folded.clear()
         self._glue(kind, proof.joints, evidence, words, before=before, after=after, motion=moved)
 
     def doubt(self, name: str, order: Order) -> None:
@@ -134,10 +133,12 @@ class _Steps:
         old = [piece.name for piece in layout.pieces if piece.name in touched & self._pieces]
         self._pieces |= touched
         self._joints |= set(joints)
+        before = [folding_text(dict.fromkeys(self._folded))] if self._folded else []
+        self._folded.clear()
         self.add(
             kind,
             joints,
-            f"{gluing_text(self._numbered, new, joints)} {words}",
+            " ".join([*before, gluing_text(self._numbered, new, joints), words]),
             pieces=(*new, *old),
             parts=tuple(part for part, piece in layout.piece_of.items() if piece.name in new),
             flaps=tuple(flap_key(flap) for flap in flaps),

@@ -102,7 +102,9 @@ class Trial:
         left = bundle.without(cut.taken).swung(cut.moved, turns[0], self.number)
         blind = self._glueing(cut.taken).unseen(bundle.poses, left.poses)
         movers = bundle.lighter(cut.moved)
-        up = up if movers == cut.moved else -up
+        if movers != cut.moved:
+            back, up = np.linalg.inv(turns), -up
+            motion = {name: back @ poses for name, poses in motion.items()}
         return Proof(Way.FOLDED, cut.taken, blind, motion, movers, up, (left,))
 
     def _turned(

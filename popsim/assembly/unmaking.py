@@ -10,6 +10,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 from popsim.assembly.aside import Chain, swung_aside
+from popsim.assembly.at_once import AT_ONCE
 from popsim.assembly.bundle import Bundle
 from popsim.assembly.cut import Cut, ranks
 from popsim.assembly.holding import Holding
@@ -17,9 +18,6 @@ from popsim.assembly.kit import Kit
 from popsim.assembly.proof import Proof, Refusal
 from popsim.assembly.stack import Stack
 from popsim.assembly.trial import Trial
-
-AT_ONCE = 6
-"""Joints that are glued by one motion at most: glue dries."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -36,21 +36,25 @@ WAYS = {
     Way.LAID: "Lay it on from above and press.",
     Way.SLID: "Slide it in, then fold the flaps onto it and press.",
     Way.FOLDED: "Fold it over and press.",
-    Way.CLOSED: "Put the glue on at {degrees:.0f} degrees, fold all flat and press.",
+    Way.CLOSED: "Put the glue on with the paper {open}, then fold all flat along its creases and press.",
     Way.TUCKED: "Tuck the flap in between the layers with tweezers and press.",
-    Way.BROUGHT: "Hold all open at {degrees:.0f} degrees, put it to its place, then fold all flat and press.",
-    Way.HELD: "Hold it open at {degrees:.0f} degrees and press the flaps between two fingers.",
+    Way.BROUGHT: "Put it to its place with the paper {open}, then fold all flat along its creases and press.",
+    Way.HELD: "Hold the paper {open} and press the flaps between two fingers.",
 }
+
+WIDE = 180.0
+"""Degrees at which all lies open."""
 
 
 def way_text(way: Way, degrees: float | None) -> str:
     """How what is glued comes together."""
-    return WAYS[way].format(degrees=degrees or 0.0)
+    opened = "wide open" if degrees == WIDE else f"open at {degrees or 0.0:.0f} degrees"
+    return WAYS[way].format(open=opened)
 
 
 def folding_text(names: Iterable[str]) -> str:
-    """What lay open is folded over first."""
-    return f"First fold {_listed([f'piece {name}' for name in names])} flat as shown."
+    """What lay open is folded over first; the picture shows how it lies then."""
+    return f"Fold {_listed([f'piece {name}' for name in names])} flat as shown."
 
 
 def unproved_text(reason: str) -> str:

@@ -1,11 +1,13 @@
 """Steps that cannot be done are refused, with a reason: the negative controls of the execution."""
 
+from dataclasses import replace
 from functools import cache
 
 import numpy as np
 import pytest
 
 from popsim.assembly.aside import swung_aside
+from popsim.assembly.at_once import glued_together
 from popsim.assembly.bundle import Bundle
 from popsim.assembly.cut import Cut, cuts
 from popsim.assembly.holding import Holding
@@ -139,3 +141,26 @@ def test_several_things_are_swung_aside_only_if_something_comes_off_then() -> No
     assert not any(proof.joints for proof in chain[:-1])
     assert chain[-1].joints == (late,)
     assert swung_aside(loose, stack, 0, lambda found: []) == ()
+
+
+def test_the_card_stays_and_its_other_page_is_folded_over() -> None:
+    """What is lighter moves in the pictures, whichever side of the line was turned in thought."""
+    for proof in find_order(box()).proofs:
+        if proof.way is Way.FOLDED:
+            for name, poses in proof.motion.items():
+                assert np.allclose(poses, poses[0]) == (name not in proof.movers)
+
+
+def test_what_is_glued_open_alike_is_pressed_by_one_folding() -> None:
+    kit = box()
+    whole = Bundle.whole(kit)
+    names = [joint("M1.R", "M1.F_R"), joint("M1.B_L", "M1.B_R")]
+    loose = whole.only({name for name in whole.parts if name.startswith("M1.")} - {"M1.C"})
+    first = Holding(loose.without({names[1]}), names[0]).closed()
+    second = Holding(loose, names[1]).closed()
+    assert isinstance(first, Proof)
+    assert isinstance(second, Proof)
+    (both,) = glued_together([first, second])
+    assert both.joints == (*first.joints, *second.joints)
+    assert both.apart == first.apart
+    assert glued_together([first, replace(second, degrees=75.0)])[1].joints == second.joints
