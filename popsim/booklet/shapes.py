@@ -1,6 +1,6 @@
 """Inked shapes: a drawing while it is still geometry, which can be moved, scaled and cut."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -31,12 +31,15 @@ def moved(shapes: Iterable[Shape], motion: FloatArray) -> tuple[Shape, ...]:
     return tuple(Shape(shape.ink, move_shape(motion, shape.geometry)) for shape in shapes)
 
 
-def clipped(shapes: Iterable[Shape], window: "BaseGeometry") -> tuple[Shape, ...]:
-    """What of the shapes lies in `window`."""
+def clipped(shapes: Sequence[Shape], window: "BaseGeometry") -> tuple[Shape, ...]:
+    """What of the shapes lies in `window`; rims that rounding has tied into knots are untied before."""
     import shapely
 
     shapely.prepare(window)
-    return tuple(Shape(shape.ink, shape.geometry.intersection(window)) for shape in shapes)
+    untied = [shapely.make_valid(shape.geometry, method="structure", keep_collapsed=False) for shape in shapes]
+    return tuple(
+        Shape(shape.ink, geometry.intersection(window)) for shape, geometry in zip(shapes, untied, strict=True)
+    )
 
 
 def drawn(shapes: Iterable[Shape]) -> Iterator[Mark]:
