@@ -16,7 +16,7 @@ NEAR = 4.0
 WORTHY = 20.0
 """mm^2; islands below this are dropped without a bridge, and below its half without a note."""
 
-SEEN_THROUGH = 6.0
+SEEN_THROUGH = 3.0
 """mm; a patch inside has no narrower holes."""
 
 

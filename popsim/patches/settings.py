@@ -45,7 +45,7 @@ class PatchSettings:
     tolerance: float = 0.3
     thinnest: float = 2.0
     snap: float = 1.5
-    seam: float = 4.0
+    seam: float = 2.5
     least_share: float = 0.25
     least_length: float = 6.0
     bleed: float = 1.5

@@ -194,7 +194,7 @@ def test_nothing_at_all_gives_the_plain_face_with_a_note():
 
 
 def test_patches_inside_have_only_holes_that_are_seen_through():
-    small, large = (box(0, 0, 100, 50).difference(box(20, 20, 20 + side, 20 + side)) for side in (5, 10))
+    small, large = (box(0, 0, 100, 50).difference(box(20, 20, 20 + side, 20 + side)) for side in (2.5, 5))
     assert [len(finished(piece(each), SETTINGS)[0].interiors) for each in (small, large)] == [1, 1]
     inside = [finished(piece(each, principal=False), SETTINGS)[0] for each in (small, large)]
     assert [len(outline.interiors) for outline in inside] == [0, 1]
