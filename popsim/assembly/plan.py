@@ -110,7 +110,7 @@ class _Steps:
             Folded.along(self._kit.reference, proof.motion, sorted(whole)),
         )
         kind = StepKind.LAY if proof.way in (Way.LAID, Way.SLID) else StepKind.FOLD
-        words = way_text(proof.way, proof.degrees)
+        words = way_text(proof.way)
         self._glue(kind, proof.joints, evidence, words, before=before, after=after, motion=moved)
 
     def doubt(self, name: str, order: Order) -> None:

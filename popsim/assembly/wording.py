@@ -1,7 +1,6 @@
 """All sentences of the assembly steps, in one place."""
 
 from collections.abc import Iterable
-from itertools import groupby
 
 from popsim.assembly.way import Way
 from popsim.layout import Crease, Face, Flap, Layout, Piece
@@ -22,8 +21,10 @@ def gluing_text(layout: Layout, new: Iterable[str], joints: tuple[str, ...]) -> 
     by_name = {piece.name: piece for piece in layout.pieces}
     sentences = [_fold_text(by_name[name]) for name in new if by_name[name].folds]
     first = {flap.joint.id: flap for flap in reversed(layout.flaps)}
-    for _, alike in groupby((first[joint] for joint in joints), key=lambda flap: _manner(layout, flap)):
-        sentences.append(_glue_text(layout, list(alike)))
+    alike: dict[tuple[str, str, Face, bool], list[Flap]] = {}
+    for joint in joints:
+        alike.setdefault(_manner(layout, first[joint]), []).append(first[joint])
+    sentences += [_glue_text(layout, flaps) for flaps in alike.values()]
     return " ".join(sentences)
 
 
@@ -36,20 +37,16 @@ WAYS = {
     Way.LAID: "Lay it on from above and press.",
     Way.SLID: "Slide it in, then fold the flaps onto it and press.",
     Way.FOLDED: "Fold it over and press.",
-    Way.CLOSED: "Put the glue on with the paper {open}, then fold all flat along its creases and press.",
+    Way.CLOSED: "Put the glue on with the paper open as shown, then fold all flat along creases and press.",
     Way.TUCKED: "Tuck the flap in between the layers with tweezers and press.",
-    Way.BROUGHT: "Put it to its place with the paper {open}, then fold all flat along its creases and press.",
-    Way.HELD: "Hold the paper {open} and press the flaps between two fingers.",
+    Way.BROUGHT: "Put it to its place with the paper open as shown, then fold all flat along creases and press.",
+    Way.HELD: "Hold the paper open as shown and press the flaps between two fingers.",
 }
 
-WIDE = 180.0
-"""Degrees at which all lies open."""
 
-
-def way_text(way: Way, degrees: float | None) -> str:
+def way_text(way: Way) -> str:
     """How what is glued comes together."""
-    opened = "wide open" if degrees == WIDE else f"open at {degrees or 0.0:.0f} degrees"
-    return WAYS[way].format(open=opened)
+    return WAYS[way]
 
 
 def folding_text(names: Iterable[str]) -> str:

@@ -21,6 +21,9 @@ BEFORE = 0.58
 GAP = 6.0
 """mm between the two states, where the arrow between them is."""
 
+AS_ONE = 1e-3
+"""mm, and share of a turn, by which what moves as one may differ."""
+
 
 @dataclass(frozen=True, eq=False)
 class Draughtsman:
@@ -56,14 +59,22 @@ class Draughtsman:
             return None
         names = {part: piece.name for piece in self.eye.layout.pieces for part in piece.motions}
         named = {name: names[name] for name in self._named(step)}
-        sights = self.eye.look(step.before, _marked(step), step.flaps)
+        sights = self.eye.look(step.before, self._marked(step), step.flaps)
         ways = tracks(step, self.eye.layout, self.eye.view)
         return Scenery(sights, ways, named, self.eye.layout.numbers)
 
     def _after(self, step: Step) -> Scenery | None:
         if step.after is None or not step.after.poses:
             return None
-        return Scenery(self.eye.look(step.after, _marked(step)))
+        return Scenery(self.eye.look(step.after, self._marked(step)))
+
+    def _marked(self, step: Step) -> tuple[str, ...]:
+        """Parts that stand out: what moves; what is new where nothing does; what is glued where all is folded."""
+        if step.kind is StepKind.FINISH:
+            return ()
+        if step.motion and not _moves_as_one(step):
+            return tuple(dict.fromkeys(self.eye.ends(key)[0] for key in step.flaps))
+        return tuple(step.motion) or step.parts
 
     def _named(self, step: Step) -> set[str]:
         """Parts of the pieces that are new or glued in a step."""
@@ -72,8 +83,7 @@ class Draughtsman:
         return {part for piece in pieces for part in piece.motions}
 
 
-def _marked(step: Step) -> tuple[str, ...]:
-    """Parts that stand out: what is moved, or what is new where nothing moves; none in the last step."""
-    if step.kind is StepKind.FINISH:
-        return ()
-    return tuple(step.motion) or step.parts
+def _moves_as_one(step: Step) -> bool:
+    """Whether all that moves keeps its shape; else it is folded up."""
+    ways = np.array([poses[0] @ np.linalg.inv(poses[-1]) for poses in step.motion.values()])
+    return bool(np.allclose(ways, ways[:1], atol=AS_ONE))

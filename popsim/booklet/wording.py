@@ -19,7 +19,7 @@ TOOLS = (
 )
 
 LEGEND = "What the pictures say"
-NEW = "What you add in this step. The strong colour is the printed side, the pale colour the back."
+NEW = "What you add or move in this step. The strong colour is the printed side, the pale colour the back."
 OLD = "Already there: white is the printed side, grey the back."
 CARD = "The card that everything stands on."
 GLUE = "Put glue here, or press here."
