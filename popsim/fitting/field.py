@@ -104,12 +104,16 @@ class Spot:
 
 
 def spot_on(field: Field, pair: BasePatchPair) -> Spot | None:
-    """The field over a pair, or None where it has no cells."""
+    """The field over a pair, or None where it has no cells.
+
+    Beside a wall it begins with the first whole cell: what a wall leaves of a cell is the skin of the same thing.
+    """
     volume = field.volume
     reach = min(pair.reach) if pair.kind is PairKind.OPENING else pair.reach[0]
     top = np.inf if pair.kind is PairKind.OPENING else pair.v + pair.reach[1]
     ends = np.array([volume.x(volume.shape[0]), volume.shape[1] * volume.cell, volume.shape[2] * volume.cell])
-    low = np.array([max(pair.x[0], volume.x0), pair.u, pair.v])
+    skin = 0.5 * volume.cell if pair.kind is PairKind.CORNER else 0.0
+    low = np.array([max(pair.x[0], volume.x0), pair.u + skin, pair.v])
     high = np.minimum([pair.x[1], pair.u + reach, top], ends)
     (a, b), (c, d), (e, f) = field.cells(low, high)
     if a == b or c == d or e == f:

@@ -7,6 +7,8 @@ from fitting_surfaces import block, roof, subdivided, subject_of, surface
 from popsim.design import Card
 from popsim.errors import InputError
 from popsim.fitting import Fit, FitSettings, fit
+from popsim.fitting.corners import propose_corner
+from popsim.fitting.field import Field, spot_on
 from popsim.fitting.mapping import error_cover, mappings
 from popsim.geometry.surface import Surface
 from popsim.mechanisms import RectangularPrism, assemble, card_pair
@@ -60,6 +62,20 @@ def test_gable_roof_becomes_a_tent_on_a_box() -> None:
 def test_annex_on_one_side_becomes_a_step_there() -> None:
     found = fitted(surface(block((-48, -20, 0), (48, 20, 60)), block((-40, 20, 0), (40, 38, 25))))
     assert types(found) == [("box-fold", ("G", "B")), ("step-fold", ("G", "M1.L"))]
+
+
+def test_bay_is_found_beside_a_wall_that_ends_within_a_cell() -> None:
+    subject = subject_of(surface(block((-48, -20, 0), (48, 20, 60)), block((-12, 20, 20), (12, 38, 50))))
+    box = BoxFold.plain("M1", PAIR, 19.2, 60, (-48, 48))
+    field = Field(subject.volume, 0.3)
+    field.cover(box.primitive())
+    corner = next(pair for pair in box.pairs() if pair.patches == ("G", "M1.L"))
+    spot = spot_on(field, corner)
+    assert spot is not None
+    found = propose_corner(spot)
+    assert found is not None and isinstance(found.primitive, RectangularPrism)
+    assert found.primitive.low == pytest.approx((-12, 19.2, 0), abs=1.4)
+    assert found.primitive.high == pytest.approx((12, 38, 50), abs=1.4)
 
 
 def test_detail_brings_patches() -> None:
