@@ -16,8 +16,8 @@ from popsim.geometry.arrays import FloatArray
 if TYPE_CHECKING:
     from popsim.mechanisms.box_fold import BoxFold, EndPair, Top
 
-RISE = 1.1
-"""Half widths by which sides and pairs may rise above the tops: gables of a little more than 45 degrees."""
+RISE = 5.0
+"""Half widths by which sides and pairs may rise above the tops: gables, and signs and masts beside the fold."""
 
 EAVES = 0.25
 """Half widths by which tops may reach beyond the sides."""

@@ -104,6 +104,13 @@ def test_what_stands_beside_the_fold_is_no_fin():
     assert painted(beside).shapes["M1.C"].outline[:, 2].max() == pytest.approx(40, abs=1e-6)
 
 
+def test_a_pole_beside_the_fold_rises_from_the_front():
+    pole = coloured_box((46, 12, 40), (50, 18, 110))
+    front = painted(pole).shapes["M1.F_L"].outline
+    assert front[:, 2].max() == pytest.approx(110, abs=0.3)
+    assert np.sort(front[front[:, 2] > 41][:, 1])[[0, -1]] == pytest.approx([12, 18], abs=0.3)
+
+
 def test_nothing_along_the_fold_rises_where_something_stands_on_the_top():
     top = next(pair for pair in BOX.pairs() if pair.patches == ("M1.T_G", "M1.T_B"))
     tent = TentFold("M2", top, (-20.0, 20.0), 15.0, 20.0)
