@@ -57,6 +57,7 @@ MANNERS = (
     Manner(0.4, 0.8, 0.3, closed=5),
     Manner(0.4, 0.8, 0.6, plain=True),
     Manner(0.2, 0.6, 0.9, plain=True),
+    Manner(0.4, 0.1, 0.6),
 )
 """Ways to begin; the first ones win where they lead to the same."""
 

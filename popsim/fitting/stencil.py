@@ -11,8 +11,9 @@ from popsim.fitting.slant import ACROSS, Slant
 from popsim.geometry.arrays import BoolArray, FloatArray, IntArray
 from popsim.mechanisms import Plate
 
-SPARSE = 0.25
-"""A face on which the model shows on less than this share stays whole: its hinges need paper to hold."""
+SPARSE = 0.05
+"""A face on which the model shows on less than this share stays whole: its hinges need paper to hold. A ring or a
+lattice shows on more."""
 
 RECTANGLE, STRAIGHT = 4, 1e-9
 """Corners of a rectangle along the axes, and by how little, mm, its edges leave them."""

@@ -64,6 +64,25 @@ def test_annex_on_one_side_becomes_a_step_there() -> None:
     assert types(found) == [("box-fold", ("G", "B")), ("step-fold", ("G", "M1.L"))]
 
 
+def ring(inner: float, outer: float, half: float, count: int = 48) -> np.ndarray:
+    """A ring that stands on its edge, its axis across the fold."""
+    turns = np.linspace(0, 2 * np.pi, count + 1)
+    way = np.stack([np.cos(turns), 0 * turns, np.sin(turns)], axis=1)
+    up, aside = np.array([0, 0, outer]), np.array([0, half, 0])
+    lines = [r * way + up + s * aside for r, s in ((inner, 1), (outer, 1), (outer, -1), (inner, -1))]
+    faces = []
+    for first, second in zip(lines, lines[1:] + lines[:1], strict=True):
+        faces += [np.stack([first[:-1], first[1:], second[1:]], axis=1)]
+        faces += [np.stack([first[:-1], second[1:], second[:-1]], axis=1)]
+    return np.concatenate(faces)
+
+
+def test_ring_on_its_edge_becomes_one_box_that_is_seen_through() -> None:
+    found = fitted(surface(ring(44, 50, 6)))
+    assert types(found) == [("box-fold", ("G", "B"))]
+    assert found.likeness.silhouette > 0.8
+
+
 def test_bay_is_found_beside_a_wall_that_ends_within_a_cell() -> None:
     subject = subject_of(surface(block((-48, -20, 0), (48, 20, 60)), block((-12, 20, 20), (12, 38, 50))))
     box = BoxFold.plain("M1", PAIR, 19.2, 60, (-48, 48))

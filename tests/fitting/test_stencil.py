@@ -51,8 +51,8 @@ def test_a_doorway_is_a_dent_of_its_wall_and_a_gap_between_two_walls_is_none():
 
 
 def test_what_is_all_but_empty_stays_whole():
-    corner = block((-50, -30, 0), (-40, 30, 40))
-    assert shows("L", [(-45, 30, 20), (0, 30, 20)], corner) == [True, True]
+    corner = block((-50, -30, 0), (-47, 30, 40))
+    assert shows("L", [(-48, 30, 20), (0, 30, 20)], corner) == [True, True]
 
 
 def test_a_backbone_shows_what_either_side_hides_unless_one_sees_through():
