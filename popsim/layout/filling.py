@@ -40,6 +40,8 @@ class Filler:
         Width and height of the usable area and the least distance between two shapes, mm.
     cell:
         Side of the raster's cells, mm.
+    low:
+        Put each shape as low as it goes instead of where it fits most snugly: what stays free is in one piece.
 
     Attributes
     ----------
@@ -56,9 +58,12 @@ class Filler:
         room: tuple[float, float],
         gap: float,
         cell: float,
+        *,
+        low: bool = False,
     ) -> None:
         grid = Grid.over(room, gap, cell)
         self.effort = 0
+        self._low = low
         self.shares = tuple(shape.area / (room[0] * room[1]) for shape in shapes)
         self._turns = [Turns.of(shape, own, gap, grid) for shape, own in zip(shapes, angles, strict=True)]
         self._sheets: dict[Contents, SheetRaster] = {frozenset(): SheetRaster.empty(grid)}
@@ -96,7 +101,7 @@ class Filler:
         key = contents, index
         if key not in self._fits:
             left = self._left(contents, index)
-            self._fits[key] = self._sheets[contents].fit(self._turns[index], left)
+            self._fits[key] = self._sheets[contents].fit(self._turns[index], left, low=self._low)
             self.effort += len(left) + len(self._fits[key].turns)
         return self._fits[key].spot
 

@@ -84,8 +84,13 @@ def nest(
     kept = sorted(tried, key=lambda order: (tried[order].waste, order))[:BEST]
     again = _climbed(fine, kept, FINE, random)
     best = min((tried[kept[0]], *again.values()), key=lambda filling: filling.waste)
-    _judge(shapes, names, best.places, room, gap)
-    return _emptiest_last(best.places, fine.shares)
+    places = _emptiest_last(best.places, fine.shares)
+    last = [k for k, place in enumerate(places) if place.sheet == best.waste.sheets - 1]
+    lowest = Filler([shapes[k] for k in last], [angles[k] for k in last], room, gap, FINE.cell, low=True)
+    for k, place in _gathered(lowest, [shapes[k] for k in last]):
+        places[last[k]] = Place(best.waste.sheets - 1, place.motion)
+    _judge(shapes, names, places, room, gap)
+    return places
 
 
 def estimate(shapes: list["Polygon"], room: tuple[float, float], gap: float, grain: bool) -> Waste | None:
@@ -109,6 +114,15 @@ def _climbed(filler: Filler, orders: Iterable[Order], limits: Pass, random: Rand
         if tried[order].waste <= tried[best].waste:
             best = order
     return tried
+
+
+def _gathered(lowest: Filler, shapes: list["Polygon"]) -> Iterable[tuple[int, Place]]:
+    """Places of all shapes of one sheet low on it, so that notes find room above; none where they do not fit."""
+    for order in first_orders(shapes, Random(0)):
+        filling = lowest.filling(order)
+        if filling.waste.sheets == 1:
+            return enumerate(filling.places)
+    return ()
 
 
 def _suffices(waste: Waste, shares: Sequence[float]) -> bool:

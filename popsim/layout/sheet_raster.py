@@ -139,8 +139,8 @@ class SheetRaster:
         """Number of cells that are not taken."""
         return self.taken.size - int(self.taken.sum())
 
-    def fit(self, turns: Turns, among: Sequence[int]) -> Fit:
-        """The snuggest place where one of these turns of the shape hits nothing, the lowest of equals."""
+    def fit(self, turns: Turns, among: Sequence[int], *, low: bool) -> Fit:
+        """The snuggest place where one of these turns of the shape hits nothing; or, if `low`, the lowest."""
         if self.free < turns.cells or not among:
             return Fit(None, ())
         around = self.grid.spectrum(np.pad(self.taken, RIM, constant_values=True))
@@ -149,12 +149,16 @@ class SheetRaster:
         for k, hit in zip(among, hits, strict=True):
             height, width = turns.masks[k].shape
             rows, columns = self.grid.size[0] - height + 1, self.grid.size[1] - width + 1
-            free = hit[:rows, :columns] < 0.5
-            if free.any():
+            free, snug = hit[:rows, :columns] < 0.5, 0.0
+            if not free.any():
+                continue
+            if low:
+                row, column = divmod(int(free.argmax()), columns)
+            else:
                 touched = np.round(self.grid.hits(around * turns.along[k])[:rows, :columns])
                 row, column = divmod(int(np.where(free, touched, -1).argmax()), columns)
                 snug = round(float(touched[row, column]) / int(turns.rims[k].sum()), 3)
-                found.append((-snug, row + height, column + width, Spot(row, column, k)))
+            found.append((-snug, row + height, column + width, Spot(row, column, k)))
         return Fit(min(found)[-1] if found else None, tuple(spot.turn for *_, spot in found))
 
     def taking(self, spot: Spot, turns: Turns) -> "SheetRaster":

@@ -27,24 +27,32 @@ def test_a_piece_goes_where_it_fits_most_snugly() -> None:
     walls = Polygon([(0, 60), (0, 100), (100, 100), (100, 60), (74, 60), (74, 90), (36, 90), (36, 60)])
     sheet = SheetRaster.empty(grid)
     low = Turns.of(walls, [0.0], GAP, grid)
-    (row, column, _) = spot = sheet.fit(low, [0]).spot or pytest.fail("an empty sheet has room")
+    (row, column, _) = spot = sheet.fit(low, [0], low=False).spot or pytest.fail("an empty sheet has room")
     assert (row, column) == (0, 0)  # in a corner, as all others fit no better
     sheet = sheet.taking(spot, low)
     piece = box(0, 0, 30, 25)
     turns = Turns.of(piece, [0.0], GAP, grid)
-    found = sheet.fit(turns, [0]).spot
+    found = sheet.fit(turns, [0], low=False).spot
     assert found is not None
     moved = move_shape(turns.motion(found), piece)
     assert 36 + GAP < moved.bounds[0] < moved.bounds[2] < 74 - GAP
     assert moved.bounds[3] < 30  # up in the bay, whose roof is 30 over the foot of the walls
 
 
+def test_the_last_sheet_is_filled_from_its_foot() -> None:
+    """Snugly, two bars would lie along opposite ends; what stays free is wanted in one piece."""
+    shapes = [box(0, 0, 60, 20), box(0, 0, 60, 20)]
+    places = nest(shapes, ["a", "b"], ROOM, GAP, grain=False)
+    tops = [move_shape(place.motion, shape).bounds[3] for place, shape in zip(places, shapes, strict=True)]
+    assert max(tops) < 62
+
+
 def test_a_full_sheet_has_no_place() -> None:
     grid = Grid.over(ROOM, GAP, 1.0)
     turns = Turns.of(box(0, 0, 90, 150), [0.0], GAP, grid)
-    spot = SheetRaster.empty(grid).fit(turns, [0]).spot
+    spot = SheetRaster.empty(grid).fit(turns, [0], low=False).spot
     assert spot is not None
-    assert SheetRaster.empty(grid).taking(spot, turns).fit(turns, [0]) == (None, ())
+    assert SheetRaster.empty(grid).taking(spot, turns).fit(turns, [0], low=False) == (None, ())
 
 
 def test_needy_sheets_are_tried_first() -> None:
