@@ -95,6 +95,8 @@ def see(plates: Sequence[Plate], view: "View") -> tuple[Seen, ...]:
     """Return what is seen of each plate, in their order."""
     import shapely
 
+    if not plates:
+        return ()
     projected = [project(plate, view) for plate in plates]
     before: list[list[BaseGeometry]] = [[] for _ in projected]
     for back, cover in _covers(projected):

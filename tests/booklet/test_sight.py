@@ -49,6 +49,10 @@ def test_upper_plate_hides_what_it_covers() -> None:
     assert upper.hidden.is_empty
 
 
+def test_nothing_shows_nothing() -> None:
+    assert see([], ABOVE) == ()
+
+
 def test_from_below_it_is_the_other_way_round() -> None:
     below = replace(ABOVE, eye=-ABOVE.eye)
     lower, upper = see([plate((0, 0), (10, 10), level(0)), plate((5, 5), (15, 15), level(1))], below)
