@@ -21,6 +21,12 @@ RECTANGLE, STRAIGHT = 4, 1e-9
 ALONG = 0.5
 """A plate whose normal makes a greater |cos| with y does not go on over the fold."""
 
+SEAM = 2.0
+"""mm; narrower strips along a face are not cut."""
+
+NEAR = 1.5
+"""mm; what comes so near to the border of a face reaches it."""
+
 MARGIN = 2
 """Cells around all that can show; the outermost ones show nothing."""
 
@@ -58,13 +64,13 @@ class Stencil:
         inside = within(s, t, outline)
         free = within(s, t, room) & ~inside
         face, near, there = _seen(plate, slant, s, t, fronts)
-        beyond, shown = near & free, face & inside
+        beyond, shown = near & free, _held(face & inside, inside, fronts.pixel)
         dents = there & inside & ~face
         if dents.any():
             shown = shown | (_enclosed(shown | _grown(beyond) | _walls(plate, slant, (s, t), inside)) & dents)
         if plate.principal and np.count_nonzero(shown) < SPARSE * np.count_nonzero(inside):
             shown = inside
-        return Stencil(slant, low, grain, shown | (_attached(shown, inside, beyond) & ~inside))
+        return Stencil(slant, low, grain, shown | (_attached(shown, inside, beyond, fronts.pixel) & ~inside))
 
     @cached_property
     def box(self) -> tuple[FloatArray, FloatArray]:
@@ -113,6 +119,12 @@ def _seen(
     return there & hidden, near & (other <= plate.beside), there | hidden
 
 
+def _held(shown: BoolArray, inside: BoolArray, side: float) -> BoolArray:
+    """What a face shows, and the cells from there to its border where that is near: hinges need paper."""
+    steps = max(round(NEAR / side), 1)
+    return shown | (inside & _grown(~inside, steps) & _grown(shown, steps))
+
+
 def _walls(plate: Plate, slant: Slant, cells: tuple[FloatArray, FloatArray], inside: BoolArray) -> BoolArray:
     """Cells at the foot of an upright face, and those over the fold, where it goes on on the other side.
 
@@ -156,26 +168,27 @@ def _enclosed(closed: BoolArray) -> BoolArray:
     return inner.take(parts)
 
 
-def _grown(mask: BoolArray, around: bool = False) -> BoolArray:
-    """A mask and the cells beside its cells; at their corners too where all `around` is meant."""
+def _grown(mask: BoolArray, steps: int = 1, around: bool = False) -> BoolArray:
+    """A mask and the cells some steps beside its cells; beside their corners too where all `around` is meant."""
     from cv2 import MORPH_CROSS, MORPH_RECT, dilate, getStructuringElement
 
     near = getStructuringElement(MORPH_RECT if around else MORPH_CROSS, (3, 3))
-    return dilate(mask.view(np.uint8), near).view(np.bool_)
+    return dilate(mask.view(np.uint8), near, iterations=steps).view(np.bool_)
 
 
-def _attached(shown: BoolArray, inside: BoolArray, beyond: BoolArray) -> BoolArray:
+def _attached(shown: BoolArray, inside: BoolArray, beyond: BoolArray, side: float) -> BoolArray:
     """What hangs together with what a face shows, and is more than a seam along it."""
     if not beyond.any():
         return beyond
-    far = beyond & ~_grown(inside)
+    steps = max(round(SEAM / side) - 1, 1)
+    far = beyond & ~_grown(inside, steps)
     if not far.any():
         return far
-    kept = far | (beyond & _grown(far, around=True))
+    kept = far | (beyond & _grown(far, steps, around=True))
     count, parts = _parts(_grown(shown | kept))
     joined = np.zeros(count, dtype=bool)
     joined[parts[shown]] = True
-    return np.asarray(_grown(kept) & joined.take(parts))
+    return np.asarray(kept & joined.take(parts))
 
 
 def within(x: FloatArray, y: FloatArray, ring: FloatArray) -> BoolArray:

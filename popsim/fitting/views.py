@@ -10,7 +10,7 @@ from popsim.fitting.slant import ACROSS, Slant
 from popsim.fitting.stencil import Stencil
 from popsim.geometry.arrays import FloatArray, IntArray
 
-PIXELS = 64
+PIXELS = 96
 """Pixels along the diagonal of the model, in each view."""
 
 LIFT = np.sin(np.radians(30.0))
