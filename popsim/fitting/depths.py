@@ -3,11 +3,12 @@
 Too shallow, a plate loses what slants away from it; too deep, it shows in its own plane what lies far behind.
 """
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
 from popsim.fitting.candidate import Candidate
+from popsim.fitting.refit import BETTER, Value
 from popsim.mechanisms import Plate, plates_of
 
 BEHIND = (0.3, 0.6, 1.0, 1.7, 3.0, 6.0)
@@ -16,14 +17,11 @@ BEHIND = (0.3, 0.6, 1.0, 1.7, 3.0, 6.0)
 BESIDE = (0.0, 0.4, 1.0, 2.0, 4.0, 8.0)
 """and on that beyond them."""
 
-BETTER = 2e-4
-"""Least gain that counts; below is noise of the pixels."""
-
 AXIS = 0.01
 """Plates whose normals differ by less face one way."""
 
 
-def deepened(state: Candidate, value: Callable[[Candidate], float]) -> Candidate:
+def deepened(state: Candidate, value: Value) -> Candidate:
     """Choose the depths of all plates anew, those of one axis together first, then those of each plane.
 
     They follow from the mechanisms alone, so that mechanisms that are kept show what they showed before.
