@@ -14,8 +14,8 @@ import numpy as np
 
 from popsim.fitting.fronts import Fronts
 from popsim.fitting.stencil import Stencil
-from popsim.fitting.views import PIXELS, Views
-from popsim.geometry.arrays import FloatArray
+from popsim.fitting.views import PIXELS, Drawn, Views
+from popsim.geometry.arrays import BoolArray, FloatArray, IntArray
 from popsim.mechanisms import AS_THEY_ARE, Depths, Mechanism, Plate, plates_together
 
 if TYPE_CHECKING:
@@ -61,44 +61,45 @@ class Appearance:
         self.scene, self.bounds = scene, bounds
         self.views = Views.of(bounds, fineness * PIXELS)
         self.grain = GRAIN * self.views.diagonal / fineness
-        self.known: dict[bytes, tuple[FloatArray, FloatArray]] = {}
+        self.known: dict[bytes, list[Drawn]] = {}
 
     def likeness(self, mechanisms: Sequence[Mechanism], depths: Depths = AS_THEY_ARE) -> Likeness:
         """Compare mechanisms with the model, with factors on the depths of their plates."""
-        plates = plates_together(mechanisms, depths).values()
-        pictures = [self._picture(plate) for own in plates for plate in own]
-        depth = np.full(self._model_depth.size, np.inf, dtype=np.float32)
-        pixels, ahead = (np.concatenate([picture[k] for picture in pictures]) for k in (0, 1))
-        np.minimum.at(depth, pixels, ahead)
-        model, shown = self._model_depth, np.isfinite(depth).reshape(self.views.shape)
-        seen = np.isfinite(model)
-        both, union = shown & seen, (shown | seen).sum(axis=1)
-        apart = np.zeros(model.shape)
-        np.subtract(depth.reshape(model.shape), model, out=apart, where=both)
-        apart = np.abs(apart) / (DEEP * self.views.diagonal)
-        shares = [
-            (pixels.sum(axis=1) / union).mean() for pixels in (both, both & (apart <= 1), np.minimum(apart, 1))
-        ]
-        return Likeness(float(shares[0]), float(shares[1]), float(shares[2]))
+        depth = np.full((len(self.views.axes), self.views.pixels, self.views.pixels), np.inf, dtype=np.float32)
+        for own in plates_together(mechanisms, depths).values():
+            for plate in own:
+                for view, rows, columns, there in self._picture(plate):
+                    part = depth[view, rows, columns]
+                    np.minimum(part, there, out=part)
+        pixels, views, model = self._model
+        apart = np.abs(depth.reshape(-1)[pixels] - model) / (DEEP * self.views.diagonal)
+        both, shown = np.isfinite(apart), np.isfinite(depth).sum(axis=(1, 2))
+
+        def share(values: FloatArray | BoolArray) -> float:
+            return float((np.bincount(views, weights=values, minlength=len(depth)) / union).mean())
+
+        union = shown + np.bincount(views[~both], minlength=len(depth))
+        return Likeness(share(both), share(apart <= 1), share(np.where(both, np.minimum(apart, 1), 0)))
 
     @cached_property
-    def _model_depth(self) -> FloatArray:
-        """Depth of the model per view and pixel, inf where empty, shape (9, p)."""
-        return self.scene.hit(*self.views.rays()).distance.reshape(self.views.shape)
+    def _model(self) -> tuple[IntArray, IntArray, FloatArray]:
+        """Pixels of all views in which the model shows, the view of each, and its depth there, each (k,)."""
+        distance = self.scene.hit(*self.views.rays()).distance
+        pixels = np.flatnonzero(np.isfinite(distance))
+        return pixels, pixels // self.views.shape[1], distance[pixels]
 
     @cached_property
     def _fronts(self) -> Fronts:
         return Fronts.of(self.scene, self.bounds, self.grain)
 
-    def _picture(self, plate: Plate) -> tuple[FloatArray, FloatArray]:
-        """Pixels of all views in which a plate shows as contours will leave it, and its depth there."""
+    def _picture(self, plate: Plate) -> list[Drawn]:
+        """A plate in all views as contours will leave it."""
         assert plate.room is not None  # plates give themselves room
         depths = np.array([plate.behind, plate.beside])
         key = plate.outline.tobytes() + plate.room.tobytes() + plate.outward.tobytes() + depths.tobytes()
         found = self.known.get(key)
         if found is None:
-            pixels, depth = self.views.drawn(Stencil.of(plate, self._fronts))
-            found = pixels.astype(np.int32), depth.astype(np.float32)
+            found = self.views.drawn(Stencil.of(plate, self._fronts))
             if len(self.known) >= REMEMBERED:
                 self.known.pop(next(iter(self.known)))
             self.known[key] = found

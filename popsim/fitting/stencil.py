@@ -7,8 +7,9 @@ from math import ceil, floor
 import numpy as np
 
 from popsim.fitting.fronts import Fronts
+from popsim.fitting.masks import grown, parts
 from popsim.fitting.slant import ACROSS, Slant
-from popsim.geometry.arrays import BoolArray, FloatArray, IntArray
+from popsim.geometry.arrays import BoolArray, FloatArray
 from popsim.mechanisms import Plate
 
 SPARSE = 0.05
@@ -67,7 +68,7 @@ class Stencil:
         beyond, shown = near & free, _held(face & inside, inside, fronts.pixel)
         dents = there & inside & ~face
         if dents.any():
-            shown = shown | (_enclosed(shown | _grown(beyond) | _walls(plate, slant, (s, t), inside)) & dents)
+            shown = shown | (_enclosed(shown | grown(beyond) | _walls(plate, slant, (s, t), inside)) & dents)
         if plate.principal and np.count_nonzero(shown) < SPARSE * np.count_nonzero(inside):
             shown = inside
         return Stencil(slant, low, grain, shown | (_attached(shown, inside, beyond, fronts.pixel) & ~inside))
@@ -122,7 +123,7 @@ def _seen(
 def _held(shown: BoolArray, inside: BoolArray, side: float) -> BoolArray:
     """What a face shows, and the cells from there to its border where that is near: hinges need paper."""
     steps = max(round(NEAR / side), 1)
-    return shown | (inside & _grown(~inside, steps) & _grown(shown, steps))
+    return shown | (inside & grown(~inside, steps) & grown(shown, steps))
 
 
 def _walls(plate: Plate, slant: Slant, cells: tuple[FloatArray, FloatArray], inside: BoolArray) -> BoolArray:
@@ -150,30 +151,14 @@ def _widened(span: slice) -> slice:
     return slice(max(span.start - 1, 0), span.stop + 1)
 
 
-def _parts(mask: BoolArray) -> tuple[int, IntArray]:
-    """Parts of a mask that hang together by the sides of cells: their number with 0, the rest, and each cell's."""
-    from cv2 import connectedComponents
-
-    count, parts = connectedComponents(mask.view(np.uint8), connectivity=4)
-    return count, np.asarray(parts, dtype=np.int64)
-
-
 def _enclosed(closed: BoolArray) -> BoolArray:
     """Closed cells, and those from which there is no way out."""
-    count, parts = _parts(~closed)
+    count, labels = parts(~closed)
     inner = np.ones(count, dtype=bool)
-    for border in (parts[0], parts[-1], parts[:, 0], parts[:, -1]):
+    for border in (labels[0], labels[-1], labels[:, 0], labels[:, -1]):
         inner[border] = False
     inner[0] = True
-    return inner.take(parts)
-
-
-def _grown(mask: BoolArray, steps: int = 1, around: bool = False) -> BoolArray:
-    """A mask and the cells some steps beside its cells; beside their corners too where all `around` is meant."""
-    from cv2 import MORPH_CROSS, MORPH_RECT, dilate, getStructuringElement
-
-    near = getStructuringElement(MORPH_RECT if around else MORPH_CROSS, (3, 3))
-    return dilate(mask.view(np.uint8), near, iterations=steps).view(np.bool_)
+    return inner.take(labels)
 
 
 def _attached(shown: BoolArray, inside: BoolArray, beyond: BoolArray, side: float) -> BoolArray:
@@ -181,14 +166,14 @@ def _attached(shown: BoolArray, inside: BoolArray, beyond: BoolArray, side: floa
     if not beyond.any():
         return beyond
     steps = max(round(SEAM / side) - 1, 1)
-    far = beyond & ~_grown(inside, steps)
+    far = beyond & ~grown(inside, steps)
     if not far.any():
         return far
-    kept = far | (beyond & _grown(far, steps, around=True))
-    count, parts = _parts(_grown(shown | kept))
+    kept = far | (beyond & grown(far, steps, around=True))
+    count, labels = parts(grown(shown | kept))
     joined = np.zeros(count, dtype=bool)
-    joined[parts[shown]] = True
-    return np.asarray(kept & joined.take(parts))
+    joined[labels[shown]] = True
+    return np.asarray(kept & joined.take(labels))
 
 
 def within(x: FloatArray, y: FloatArray, ring: FloatArray) -> BoolArray:

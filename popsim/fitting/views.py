@@ -5,7 +5,9 @@ from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
+import numpy.typing as npt
 
+from popsim.fitting.masks import drawn
 from popsim.fitting.slant import ACROSS, Slant
 from popsim.fitting.stencil import Stencil
 from popsim.geometry.arrays import FloatArray, IntArray
@@ -68,52 +70,37 @@ class Views:
 
     def rays(self) -> tuple[FloatArray, FloatArray]:
         """Origins and directions of the rays of all pixels, view after view, shape (9 p, 3)."""
-        steps = (self.diagonal * (pixels / self.pixels - 0.5) for pixels in self._pixels)
-        across, up = (each.reshape(*self.shape, 1) for each in steps)
+        steps = self.diagonal * (self._centres / self.pixels - 0.5)
+        up, across = (grid.reshape(-1, 1) for grid in np.meshgrid(steps, steps, indexing="ij"))
         right, rise, eye = self.axes[:, None, 0], self.axes[:, None, 1], self.axes[:, None, 2]
         origins = self.centre + across * right + up * rise + self.diagonal * eye
         directions = np.broadcast_to(-eye, origins.shape)
         return origins.reshape(-1, 3), directions.reshape(-1, 3)
 
-    def drawn(self, stencil: Stencil) -> tuple[IntArray, FloatArray]:
-        """Draw a stencil into all views that see its plane.
-
-        Returns
-        -------
-        tuple
-            Index of each pixel in which it shows, in the order of :meth:`rays`, shape (k,), and how far what shows
-            there is from the origin of its ray, mm, shape (k,).
-        """
-        from cv2 import INTER_NEAREST, WARP_INVERSE_MAP, warpAffine
-
+    def drawn(self, stencil: Stencil) -> "list[Drawn]":
+        """Draw a stencil into all views that see its plane."""
         slant, (least, most) = stencil.slant, stencil.box
         faced = self._facing(slant)
         origin = faced.origin + slant.level * faced.rise
         middle, half = faced.turn @ ((least + most) / 2) + origin, np.abs(faced.turn) @ ((most - least) / 2)
         low, high = (np.rint(end).astype(np.int64).clip(0, self.pixels) for end in (middle - half, middle + half))
-        cells = np.empty((len(low), 2, 3))  # of columns and rows of pixels, and 1, both counted from their centres
+        cells = np.empty((len(low), 2, 3))
         cells[:, :, :2] = faced.back / stencil.grain[:, None]
         cells[:, :, 2] = (
             (faced.back @ (low + 0.5 - origin)[:, :, None])[:, :, 0] - stencil.low
         ) / stencil.grain - 0.5
         cells = cells[:, ::-1].copy()  # columns of the mask first
-        picture = stencil.mask.view(np.uint8)
-        canvas = np.zeros((len(self.axes), self.pixels, self.pixels), dtype=np.uint8)
-        for view, (x0, y0), (x1, y1), affine in zip(faced.views, low.tolist(), high.tolist(), cells, strict=True):
+        nearest = faced.depth - slant.level * faced.height - (faced.deepening * origin).sum(axis=1)
+        found = []
+        for k, ((x0, y0), (x1, y1)) in enumerate(zip(low.tolist(), high.tolist(), strict=True)):
             if x0 < x1 and y0 < y1:
-                seen = canvas[view, y0:y1, x0:x1]
-                warpAffine(picture, affine, (x1 - x0, y1 - y0), dst=seen, flags=INTER_NEAREST | WARP_INVERSE_MAP)
-        found = np.flatnonzero(canvas.view(np.bool_))
-        away = np.zeros((len(self.axes), 3))
-        away[faced.views, :2] = faced.deepening
-        away[faced.views, 2] = faced.depth - slant.level * faced.height - (faced.deepening * origin).sum(axis=1)
-        across, up, constant = np.repeat(away, self._counted(found), axis=0).T
-        column, row = (pixels[found] for pixels in self._pixels)
-        return found, across * column + up * row + constant
-
-    def _counted(self, found: IntArray) -> IntArray:
-        """How many of sorted indices of pixels are of each view, shape (9,)."""
-        return np.diff(np.searchsorted(found, self.pixels**2 * np.arange(len(self.axes) + 1)))
+                rows, columns = slice(y0, y1), slice(x0, x1)
+                shown = drawn(stencil.mask, (y1 - y0, x1 - x0), cells[k])
+                across = (nearest[k] + faced.deepening[k, 0] * self._centres[columns]).astype(np.float32)
+                up = (faced.deepening[k, 1] * self._centres[rows]).astype(np.float32)
+                depth = np.where(shown, across + up[:, None], np.float32(np.inf))
+                found.append(Drawn(faced.views[k], rows, columns, depth))
+        return found
 
     def _facing(self, slant: Slant) -> "Facing":
         """How the views see planes of one slope; there are few slopes."""
@@ -127,12 +114,28 @@ class Views:
         return {}
 
     @cached_property
-    def _pixels(self) -> tuple[FloatArray, FloatArray]:
-        """Columns and rows of the centres of the pixels of all views, each of shape (9 p,)."""
-        centres = np.arange(self.pixels) + 0.5
-        return np.tile(centres, len(self.axes) * self.pixels), np.tile(
-            np.repeat(centres, self.pixels), len(self.axes)
-        )
+    def _centres(self) -> FloatArray:
+        """Where the centres of the pixels of a row, or of a column, lie, in pixels, shape (pixels,)."""
+        return np.arange(self.pixels, dtype=np.float64) + 0.5
+
+
+class Drawn(NamedTuple):
+    """A rectangle of pixels of a view, and how far from the origins of their rays something shows in them.
+
+    Attributes
+    ----------
+    view:
+        Index of the view.
+    rows, columns:
+        Its pixels.
+    depth:
+        mm, inf where nothing shows, shape (rows, columns).
+    """
+
+    view: int
+    rows: slice
+    columns: slice
+    depth: npt.NDArray[np.float32]
 
 
 class Facing(NamedTuple):
