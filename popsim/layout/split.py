@@ -32,6 +32,12 @@ ALIGNED = 500.0
 CROSSING = 20.0
 """mm of seam that crossing one hinge is worth."""
 
+UNEVEN = 0.2
+"""mm of seam that it is worth to make the first part larger by 1 mm: halves of sheets leave no room for others."""
+
+NO_STRIP = 30.0
+"""mm; what is left beside a large part is no narrower."""
+
 
 class Hints(NamedTuple):
     """What seams heed, flat: hinge lines (2, 2) that they avoid, points (2,) where neighbours are divided."""
@@ -133,14 +139,14 @@ def _cut(polygon: "Polygon", room: tuple[float, float], allowance: float, hints:
     counts = np.ceil(size / limits)
     axis = int(counts[1] > counts[0])
     rest = (counts[axis] - 1) * limits[axis]
-    least, most = low[axis] + max(size[axis] - rest, 0), low[axis] + min(limits[axis], size[axis])
+    least = low[axis] + max(size[axis] - rest, 0)
+    most = max(least, low[axis] + min(limits[axis], max(size[axis] - NO_STRIP, size[axis] / 2)))
     wished = [float(spot[axis]) for spot in hints.wished if least < spot[axis] < most]
     places = [*np.linspace(least, most, CANDIDATES), *wished]
-    middle = low[axis] + size[axis] / counts[axis]
 
     def cost(place: float) -> tuple[float, float]:
         bonus = ALIGNED if min((abs(place - spot) for spot in wished), default=1.0) < TOUCHING else 0.0
-        return _cost(polygon, axis, place, hints.lines) + 0.2 * abs(place - middle) - bonus, place
+        return _cost(polygon, axis, place, hints.lines) + UNEVEN * (most - place) - bonus, place
 
     halves = _halves(polygon, axis, float(min(places, key=cost)))
     return [piece for half in halves for piece in _cut(half, room, allowance, hints)]
