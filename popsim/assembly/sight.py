@@ -5,8 +5,8 @@ from collections.abc import Mapping
 import numpy as np
 
 from popsim.assembly.outline import Outline
-from popsim.geometry.arrays import BoolArray, FloatArray, cross
-from popsim.geometry.directions import sphere_directions
+from popsim.geometry.arrays import BoolArray, FloatArray
+from popsim.geometry.directions import across, sphere_directions
 
 LIFT = 0.2
 """mm; rays start this far off the paper."""
@@ -126,8 +126,6 @@ def _cone(normal: FloatArray) -> FloatArray:
 
 def _rings(directions: FloatArray) -> FloatArray:
     """Unit vectors around each of some unit directions (n, 3), shape (n, SPOKES, 3)."""
-    first = cross(directions, np.eye(3)[np.abs(directions).argmin(axis=1)])
-    first /= np.linalg.norm(first, axis=1, keepdims=True)
-    second = cross(directions, first)
+    first, second = across(directions)
     turn = np.linspace(0, 2 * np.pi, SPOKES, endpoint=False)[:, None]
     return np.asarray(np.cos(turn) * first[:, None] + np.sin(turn) * second[:, None])

@@ -74,11 +74,11 @@ class Appearance:
         pixels, views, model = self._model
         apart = np.abs(depth.reshape(-1)[pixels] - model) / (DEEP * self.views.diagonal)
         both, shown = np.isfinite(apart), np.isfinite(depth).sum(axis=(1, 2))
+        union = shown + np.bincount(views[~both], minlength=len(depth))
 
         def share(values: FloatArray | BoolArray) -> float:
             return float((np.bincount(views, weights=values, minlength=len(depth)) / union).mean())
 
-        union = shown + np.bincount(views[~both], minlength=len(depth))
         return Likeness(share(both), share(apart <= 1), share(np.where(both, np.minimum(apart, 1), 0)))
 
     @cached_property

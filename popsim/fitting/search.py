@@ -17,7 +17,6 @@ PROMISING = 3
 FIRST_BUDGET, LAST_BUDGET = 60, 160
 """Evaluations to refit each of them, and the best."""
 
-
 FINE_STEPS, FINE_BUDGET = (0.6, 0.25), 80
 """Cells by which borders are moved at last, and evaluations for that."""
 

@@ -1,7 +1,6 @@
 """A plane seen along the axis that it faces most, where two coordinates of the card frame name its points."""
 
 from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
 
@@ -40,7 +39,7 @@ class Slant:
         level = place[axis] - slopes[0] * place[first] - slopes[1] * place[second]
         return Slant(axis, 1 if normal[axis] > 0 else -1, level, slopes)
 
-    @cached_property
+    @property
     def equation(self) -> FloatArray:
         """A normal (3,) whose product with each point of the plane is `level`."""
         normal = np.ones(3)

@@ -2,17 +2,17 @@
 
 import numpy as np
 
-from popsim.geometry.arrays import FloatArray
+from popsim.geometry.arrays import FloatArray, cross
 
 GOLDEN = np.pi * (3.0 - np.sqrt(5.0))
 """Radians; turned by this from one to the next, no two directions of a spiral ever line up."""
 
 
 def across(axis: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Return two unit directions, shape (3,) each, at right angles to the unit `axis` (3,) and to each other."""
-    first = np.cross(axis, np.eye(3)[np.argmin(np.abs(axis))])
-    first /= np.linalg.norm(first)
-    return first, np.cross(axis, first)
+    """Return two unit directions at right angles to each unit `axis` (..., 3) and to each other, both (..., 3)."""
+    first = cross(axis, np.eye(3)[np.abs(axis).argmin(axis=-1)])
+    first /= np.linalg.norm(first, axis=-1, keepdims=True)
+    return first, cross(axis, first)
 
 
 def sphere_directions(count: int) -> FloatArray:

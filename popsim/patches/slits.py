@@ -67,8 +67,7 @@ def slit(fin: Run, host: Run, outlines: dict[str, "Polygon"], settings: PatchSet
         return
     plain = _whole(fin, without(outlines[inner], beyond(fin, fin.inward)))
     least = least_hold(fin.length, settings)
-    slit = without(outlines[outer], _slits(host, spans))
-    lack = least - _held(fin, host, plain, slit)
+    lack = least - _held(fin, host, plain, without(outlines[outer], _slits(host, spans)))
     choices = [outlines[inner]] if lack <= 0 else [*_necked(fin, outlines[inner], spans, lack), plain]
     for choice in choices:
         left = polygons(without(outlines[outer], _slits(host, _spans(fin, choice))))

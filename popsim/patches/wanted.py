@@ -34,8 +34,7 @@ def see(scene: RayScene, piece: Piece, settings: PatchSettings) -> None:
     Within the face all of the model in the plate's box of space shows that lies no deeper than `behind`, and
     what lies deeper where the rest encloses it, but no legs; in the rest of the room only what lies near the
     plane of the face. Patches inside are cut to what both sides hide, or one of them; beyond their faces they rise
-    as fins where
-    both sides see the model near their plane.
+    as fins where both sides see the model near their plane.
     """
     grid = Grid.over(piece.plane, piece.room.bounds, settings.pixel)
     if not piece.plate.principal:
