@@ -8,11 +8,13 @@ lies near.
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING
+from itertools import pairwise
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from popsim.fitting.fronts import Fronts
+from popsim.fitting.masks import FAR, FloatImage
 from popsim.fitting.stencil import Stencil
 from popsim.fitting.views import PIXELS, Drawn, Views
 from popsim.geometry.arrays import BoolArray, FloatArray, IntArray
@@ -65,28 +67,28 @@ class Appearance:
 
     def likeness(self, mechanisms: Sequence[Mechanism], depths: Depths = AS_THEY_ARE) -> Likeness:
         """Compare mechanisms with the model, with factors on the depths of their plates."""
-        depth = np.full((len(self.views.axes), self.views.pixels, self.views.pixels), np.inf, dtype=np.float32)
+        depth = np.full((len(self.views.axes), self.views.pixels, self.views.pixels), FAR)
         for own in plates_together(mechanisms, depths).values():
             for plate in own:
                 for view, rows, columns, there in self._picture(plate):
                     part = depth[view, rows, columns]
                     np.minimum(part, there, out=part)
-        pixels, views, model = self._model
-        apart = np.abs(depth.reshape(-1)[pixels] - model) / (DEEP * self.views.diagonal)
-        both, shown = np.isfinite(apart), np.isfinite(depth).sum(axis=(1, 2))
-        union = shown + np.bincount(views[~both], minlength=len(depth))
+        model = self._model
+        apart = np.abs(depth.reshape(-1).take(model.pixels) - model.depth)
+        apart *= np.float32(1 / (DEEP * self.views.diagonal))
+        both = np.isfinite(apart)
+        silhouette = model.counted(both)
+        union = np.array([np.count_nonzero(np.isfinite(own)) for own in depth]) + model.counts - silhouette
+        shares = silhouette, model.counted(apart <= 1), model.summed(np.minimum(apart, both))
+        return Likeness(*(float((share / union).mean()) for share in shares))
 
-        def share(values: FloatArray | BoolArray) -> float:
-            return float((np.bincount(views, weights=values, minlength=len(depth)) / union).mean())
-
-        return Likeness(share(both), share(apart <= 1), share(np.where(both, np.minimum(apart, 1), 0)))
+    def look(self) -> None:
+        """Look at the model now rather than when it is first asked for."""
+        _ = self._model, self._fronts
 
     @cached_property
-    def _model(self) -> tuple[IntArray, IntArray, FloatArray]:
-        """Pixels of all views in which the model shows, the view of each, and its depth there, each (k,)."""
-        distance = self.scene.hit(*self.views.rays()).distance
-        pixels = np.flatnonzero(np.isfinite(distance))
-        return pixels, pixels // self.views.shape[1], distance[pixels]
+    def _model(self) -> "Shown":
+        return Shown.of(self.scene.hit(*self.views.rays()).distance, self.views.shape)
 
     @cached_property
     def _fronts(self) -> Fronts:
@@ -104,3 +106,38 @@ class Appearance:
                 self.known.pop(next(iter(self.known)))
             self.known[key] = found
         return found
+
+
+class Shown(NamedTuple):
+    """Where a model shows in views.
+
+    Attributes
+    ----------
+    pixels, depth:
+        Its pixels, view after view, and how deep it lies in them, mm, each of shape (k,).
+    views:
+        Those of each view.
+    counts:
+        How many these are, shape (views,).
+    """
+
+    pixels: IntArray
+    depth: FloatImage
+    views: tuple[slice, ...]
+    counts: IntArray
+
+    @staticmethod
+    def of(distance: FloatArray, shape: tuple[int, int]) -> "Shown":
+        """From the depths of all pixels of a number of views, inf where there is no model."""
+        pixels = np.flatnonzero(np.isfinite(distance))
+        ends = np.searchsorted(pixels, shape[1] * np.arange(shape[0] + 1))
+        views = tuple(slice(first, last) for first, last in pairwise(ends.tolist()))
+        return Shown(pixels, distance[pixels].astype(np.float32), views, np.diff(ends))
+
+    def counted(self, which: BoolArray) -> IntArray:
+        """How many pixels of each view a mask of all pixels holds."""
+        return np.array([np.count_nonzero(which[own]) for own in self.views])
+
+    def summed(self, values: FloatImage) -> FloatArray:
+        """Sums over the pixels of each view of one value for each pixel."""
+        return np.array([values[own].sum(dtype=np.float64) for own in self.views])

@@ -32,9 +32,8 @@ def deepened(state: Candidate, value: Value) -> Candidate:
     for index in range(len(state.nodes)):
         for roles in _groups(plates_of(state.mechanisms[index])):
             for which, factors in enumerate((BEHIND, BESIDE)):
-                for factor in factors:
-                    changed = _changed(state, index, roles, which, factor)
-                    found = value(changed)
+                tries = [_changed(state, index, roles, which, factor) for factor in factors]
+                for changed, found in value.ahead(tries):
                     if found > score + BETTER:
                         state, score = changed, found
     return state

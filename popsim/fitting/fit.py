@@ -2,7 +2,6 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from functools import partial
 from typing import TYPE_CHECKING
 
 from popsim.design import Card
@@ -11,7 +10,9 @@ from popsim.fitting.appearance import Appearance, Likeness
 from popsim.fitting.candidate import Candidate, build
 from popsim.fitting.depths import deepened
 from popsim.fitting.kept import first_candidate
+from popsim.fitting.lookahead import two_processes
 from popsim.fitting.mapping import error_cover, mappings
+from popsim.fitting.refit import Value, valued
 from popsim.fitting.scale import scaled_node
 from popsim.fitting.search import search
 from popsim.fitting.settings import FitSettings
@@ -145,14 +146,19 @@ def fit(subject: Subject, settings: FitSettings | None = None) -> Fit:
     settings = settings or FitSettings()
     coarse, fine = (Appearance(subject.scene, subject.bounds, fineness) for fineness in (1, FINE))
 
-    def valued(appearance: Appearance, candidate: Candidate) -> float:
-        if candidate.patches > settings.most_patches:
-            return -1.0
-        likeness = appearance.likeness(candidate.mechanisms, candidate.depths)
-        return likeness.overall - settings.patch_likeness * candidate.patches
+    def value_in(appearance: Appearance) -> Value:
+        def work(candidate: Candidate) -> float:
+            if candidate.patches > settings.most_patches:
+                return -1.0
+            overall = appearance.likeness(candidate.mechanisms, candidate.depths).overall
+            return overall - settings.patch_likeness * candidate.patches
+
+        return valued(work)
+
+    values = value_in(coarse), value_in(fine)
 
     def fit_of(candidate: Candidate, gap: float) -> Fit:
-        shown = deepened(candidate, partial(valued, coarse))
+        shown = deepened(candidate, values[0])
         return Fit(shown, fine.likeness(shown.mechanisms, shown.depths), gap)
 
     size = float((subject.bounds[1] - subject.bounds[0]).max())
@@ -160,12 +166,14 @@ def fit(subject: Subject, settings: FitSettings | None = None) -> Fit:
     start = first_candidate(card, THINNEST * size, settings.wishes, settings.most_patches)
     if start.nodes and not settings.wishes.add:
         return fit_of(start, 0.0)
-    values = partial(valued, coarse), partial(valued, fine)
-    found = search(start, subject.volume, subject.planes, *values, settings)
-    if found is None:
-        raise MeshError("no part of the model is solid enough for a mechanism; try --detail 1 or another --up")
-    best, closed = found
-    return fit_of(best, 2 * closed * subject.volume.cell)
+    coarse.look()
+    fine.look()
+    with two_processes(*values):
+        found = search(start, subject.volume, subject.planes, *values, settings)
+        if found is None:
+            raise MeshError("no part of the model is solid enough for a mechanism; try --detail 1 or another --up")
+        best, closed = found
+        return fit_of(best, 2 * closed * subject.volume.cell)
 
 
 def _placement(candidate: Candidate, index: int) -> Placement:

@@ -71,5 +71,5 @@ class Fronts:
         found = self.maps[axis][0 if sign > 0 else 1]
         for place, (across, values) in enumerate(zip(ACROSS[axis], (s, t), strict=True)):
             cells = np.floor((values - self.bounds[0, across]) / self.pixel).astype(np.int64) + 1
-            found = found.take(cells.clip(0, found.shape[place] - 1), axis=place)
+            found = found.take(cells, axis=place, mode="clip")
         return found

@@ -7,9 +7,6 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from functools import lru_cache
 
-import numpy as np
-
-from popsim.geometry.plane import area_vector
 from popsim.mechanisms import MECHANISMS, BasePatchPair, Mechanism, Primitive, plates_of
 from popsim.mechanisms.effort import minutes_of
 
@@ -62,5 +59,5 @@ def easiest_first(found: Iterable[Mapped]) -> tuple[Mapped, ...]:
 
 def error_cover(mechanism: Mechanism, primitive: Primitive) -> float:
     """Eq. 2: the share of the primitive's faces that no principal face of the mechanism shows, 0..1."""
-    shown = sum(float(np.linalg.norm(area_vector(p.outline))) / 2 for p in plates_of(mechanism) if p.principal)
+    shown = sum(plate.area for plate in plates_of(mechanism) if plate.principal)
     return max(0.0, 1.0 - shown / sum(primitive.face_areas()))

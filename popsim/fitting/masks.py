@@ -4,8 +4,15 @@ from functools import lru_cache
 from typing import Any
 
 import numpy as np
+import numpy.typing as npt
 
 from popsim.geometry.arrays import BoolArray, FloatArray, IntArray
+
+FloatImage = npt.NDArray[np.float32]
+
+
+FAR = np.float32(np.inf)
+"""Depth where nothing shows."""
 
 
 @lru_cache(maxsize=1)
@@ -16,11 +23,16 @@ def _opencv() -> Any:
     return cv2
 
 
+@lru_cache(maxsize=2)
+def _neighbours(around: bool) -> Any:
+    cv2 = _opencv()
+    return cv2.getStructuringElement(cv2.MORPH_RECT if around else cv2.MORPH_CROSS, (3, 3))
+
+
 def grown(mask: BoolArray, steps: int = 1, around: bool = False) -> BoolArray:
     """A mask and the cells some steps beside its cells; beside their corners too where all `around` is meant."""
-    cv2 = _opencv()
-    near = cv2.getStructuringElement(cv2.MORPH_RECT if around else cv2.MORPH_CROSS, (3, 3))
-    return np.asarray(cv2.dilate(mask.view(np.uint8), near, iterations=steps).view(np.bool_))
+    found: BoolArray = _opencv().dilate(mask.view(np.uint8), _neighbours(around), iterations=steps).view(np.bool_)
+    return found
 
 
 def parts(mask: BoolArray) -> tuple[int, IntArray]:
@@ -29,19 +41,27 @@ def parts(mask: BoolArray) -> tuple[int, IntArray]:
     return count, labels
 
 
-def drawn(mask: BoolArray, shape: tuple[int, int], cells: FloatArray) -> BoolArray:
-    """Draw a mask into another of some shape.
+def extent(mask: BoolArray) -> tuple[tuple[int, int], tuple[int, int]]:
+    """First row and column in which a mask holds anything, and those after the last; both 0 where it is empty."""
+    column, row, columns, rows = _opencv().boundingRect(mask.view(np.uint8))
+    return (row, column), (row + rows, column + columns)
+
+
+def drawn(depth: FloatImage, shape: tuple[int, int], cells: FloatArray) -> FloatImage:
+    """Draw an image into another of some shape, each pixel after the one nearest to its middle.
 
     Parameters
     ----------
-    mask:
-        Shape (n, m).
+    depth:
+        Shape (n, m); FAR lies around it.
     shape:
         Rows and columns of the other.
     cells:
-        Which column and row of the mask a column and a row of the other show: affine functions of these and 1,
-        shape (2, 3), in cells from the middle of the first one.
+        Which column and row of the image a column and a row of the other show: affine functions of these and 1,
+        shape (2, 3), in pixels from the middle of the first one.
     """
     cv2 = _opencv()
-    flags = cv2.INTER_NEAREST | cv2.WARP_INVERSE_MAP
-    return np.asarray(cv2.warpAffine(mask.view(np.uint8), cells, shape[::-1], flags=flags).view(np.bool_))
+    found: FloatImage = cv2.warpAffine(
+        depth, cells, shape[::-1], flags=cv2.INTER_NEAREST | cv2.WARP_INVERSE_MAP, borderValue=np.inf
+    )
+    return found

@@ -1,10 +1,13 @@
 """Climbing from an abstraction to one that looks more like its model."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import closing
+from itertools import islice
 
 from popsim.fitting.candidate import Candidate
 from popsim.fitting.greedy import Grower
-from popsim.fitting.moves import moves
+from popsim.fitting.lookahead import Valued
+from popsim.fitting.moves import Move, moves
 
 STEPS = (4.0, 1.5, 0.6)
 """Cells by which borders are moved, in turn."""
@@ -18,7 +21,12 @@ ADDITIONS = 4
 BETTER = 2e-4
 """Least gain that counts; below is noise of the pixels."""
 
-Value = Callable[[Candidate], float]
+Value = Valued[Candidate]
+
+
+def valued(work: Callable[[Candidate], float]) -> Value:
+    """What candidates are worth, where those that look alike are worth the same."""
+    return Valued(work, lambda candidate: (candidate.mechanisms, tuple(sorted(candidate.depths.items()))))
 
 
 class Climber:
@@ -44,25 +52,44 @@ class Climber:
         """
         score = self.value(state)
         for step in steps:
-            ways = moves(state)
-            idle = position = 0
-            while idle < len(ways) and budget > 0:
-                changed = ways[position % len(ways)].made(state, step * self.grower.volume.cell, self._snapped)
-                position, idle = position + 1, idle + 1
-                if changed is None:
-                    continue
-                budget -= 1
-                found = self.value(changed)
-                if found > score + BETTER and changed.holds():
-                    state, score, idle = changed, found, 0
-                    ways, before = moves(state), len(ways)
-                    position = position - 1 if len(ways) == before else 0
+            position = 0
+            while budget > 0:
+                ways = moves(state)
+                tries, better = self._better(state, ways[position:] + ways[:position], step, score, budget)
+                budget -= tries
+                if better is None:
+                    break
+                taken, state, score = better
+                same = len(moves(state)) == len(ways)
+                position = (position + taken) % len(ways) if same else 0
         return state
+
+    def _better(
+        self, state: Candidate, ways: Sequence[Move], step: float, score: float, budget: int
+    ) -> tuple[int, tuple[int, Candidate, float] | None]:
+        """How many changes were evaluated, and the first that improves: its place, what it leads to, its value."""
+        places: list[int] = []
+
+        def tries() -> Iterator[Candidate]:
+            for place, way in enumerate(ways):
+                changed = way.made(state, step * self.grower.volume.cell, self._snapped)
+                if changed is not None:
+                    places.append(place)
+                    yield changed
+
+        count = 0
+        with closing(self.value.ahead(islice(tries(), budget))) as valued:
+            for changed, found in valued:
+                count += 1
+                if found > score + BETTER and changed.holds():
+                    return count, (places[count - 1], changed, found)
+        return count, None
 
     def _added(self, state: Candidate) -> Candidate | None:
         """The best valid state with one more prism, if it is better."""
         least = self.value(state) + BETTER
-        better = [(found, more) for more in self.grower.additions(state) if (found := self.value(more)) > least]
+        valued = self.value.ahead(self.grower.additions(state))
+        better = [(found, more) for more, found in valued if found > least]
         ranked = sorted(better, key=lambda entry: -entry[0])
         return next((more for _, more in ranked if more.holds()), None)
 

@@ -1,12 +1,10 @@
 """Rows of rectangular prisms on an opening pair, by dynamic programming over x."""
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from popsim.fitting.field import Spot
 from popsim.fitting.proposal import Prices, Proposal
-from popsim.geometry.arrays import BoolArray, FloatArray, IntArray
+from popsim.geometry.arrays import BoolArray, FloatArray
 from popsim.mechanisms import PrismRow
 
 STEP_PATCHES = 4
@@ -17,14 +15,6 @@ STAND_PATCHES = 9
 
 OUTSIDE = -1e9
 """Value of a column that may not be used."""
-
-
-@dataclass(frozen=True, eq=False)
-class _Table:
-    """Best value and step before it, per column x, width w and height h; phase 0 rises, phase 1 falls."""
-
-    best: FloatArray
-    came: IntArray
 
 
 def propose_row(spot: Spot, prices: Prices, room: BoolArray | None = None) -> Proposal | None:
@@ -44,12 +34,14 @@ def propose_row(spot: Spot, prices: Prices, room: BoolArray | None = None) -> Pr
     value = sums + prices.trust * _later(sums, prices)
     if room is not None:
         value = np.where(room[:, : value.shape[1], None], value, OUTSIDE)
-    phases = _run(value, -OUTSIDE if prices.plain else prices.patch * STEP_PATCHES)
-    final = phases.best.max(axis=1)
+    step = -OUTSIDE if prices.plain else prices.patch * STEP_PATCHES
+    best = _run(value, step)
+    final = best.max(axis=1)
     x, w, h = (int(k) for k in np.unravel_index(int(final.argmax()), final.shape))
     if not final[x, w, h] > 0:
         return None
-    tops = _trace(phases, x, w, h)
+    profile = _profile(best[: x + 1, :, w], h, step)
+    tops = _tops(profile, x + 1 - len(profile))
     gain = float(sum(sums[a:b, w, top].sum() for a, b, top in tops))
     return _as_proposal(spot, tops, w, gain)
 
@@ -63,60 +55,59 @@ def _later(sums: FloatArray, prices: Prices) -> FloatArray:
     return np.asarray(np.maximum(best - share, 0.0))
 
 
-def _run(value: FloatArray, step: float) -> _Table:
-    """Best profiles that first rise and then fall, ending in each column at each height."""
+def _run(value: FloatArray, step: float) -> FloatArray:
+    """Best values of profiles that first rise and then fall and end in each column at each height.
+
+    Returns
+    -------
+    numpy.ndarray
+        By column, phase (0 rises, 1 has begun to fall), width and height, shape (columns, 2, widths, heights).
+    """
     columns, widths, heights = value.shape
     best = np.full((columns, 2, widths, heights), OUTSIDE)
-    came = np.full((columns, 2, widths, heights), -1, dtype=np.int64)
-    rows = np.arange(heights)
-    for x in range(columns):
-        start = np.zeros((widths, heights))
-        if x == 0:
-            best[x, 0] = value[x]
-            continue
-        rising, falling = best[x - 1, 0], best[x - 1, 1]
-        lower, lower_at = _best_below(rising)
-        options = np.stack([start, rising, lower - step])
-        pick = options.argmax(axis=0)
-        best[x, 0] = value[x] + np.take_along_axis(options, pick[None], 0)[0]
-        came[x, 0] = np.where(pick == 0, -1, np.where(pick == 1, rows, lower_at))
-        both = np.maximum(rising, falling)
-        turned = np.where(falling >= rising, heights, 0)
-        higher, higher_at = _best_below(both[:, ::-1])
-        higher, higher_at = higher[:, ::-1], heights - 1 - higher_at[:, ::-1]
-        fallen = np.take_along_axis(turned, np.clip(higher_at, 0, heights - 1), axis=1)
-        options = np.stack([falling, higher - step])
-        pick = options.argmax(axis=0)
-        best[x, 1] = value[x] + np.take_along_axis(options, pick[None], 0)[0]
-        came[x, 1] = np.where(pick == 0, rows + heights, higher_at + fallen)
-    return _Table(best, came)
+    best[0, 0] = value[0]
+    for x in range(1, columns):
+        rising, falling = best[x - 1]
+        grown, fallen = best[x]
+        np.maximum(rising, 0.0, out=grown)
+        lower = np.maximum.accumulate(rising[:, :-1], axis=1) - step
+        np.maximum(grown[:, 1:], lower, out=grown[:, 1:])
+        grown += value[x]
+        higher = np.maximum.accumulate(np.maximum(rising, falling)[:, :0:-1], axis=1)[:, ::-1] - step
+        fallen[:] = falling
+        np.maximum(falling[:, :-1], higher, out=fallen[:, :-1])
+        fallen += value[x]
+    return best
 
 
-def _best_below(values: FloatArray) -> tuple[FloatArray, IntArray]:
-    """Greatest value at any smaller index of the last axis, and that index (0 and OUTSIDE at index 0)."""
-    best = np.full(values.shape, OUTSIDE)
-    at = np.zeros(values.shape, dtype=np.int64)
-    running = np.maximum.accumulate(values, axis=1)
-    record = np.where(values >= running, np.arange(values.shape[1]), 0)
-    best[:, 1:] = running[:, :-1]
-    at[:, 1:] = np.maximum.accumulate(record, axis=1)[:, :-1]
-    return best, at
+def _profile(best: FloatArray, h: int, step: float) -> list[int]:
+    """Height indices, column by column, of the best profile of one width that ends in the last column at h.
+
+    `best` is that of :func:`_run` for this width, shape (columns, 2, heights). Of equals a profile that starts
+    goes before one that stays, that before one that steps, and of steps the lowest.
+    """
+    phase = int(best[-1, :, h].argmax())
+    profile = [h]
+    for rising, falling in best[-2::-1]:
+        if phase == 0:
+            lower = float(rising[:h].max(initial=-np.inf)) - step
+            if max(rising[h], lower) <= 0:
+                break
+            if lower > rising[h]:
+                h = int(np.flatnonzero(rising[:h] == rising[:h].max())[-1])
+        else:
+            both = np.maximum(rising, falling)
+            if h + 1 < len(both) and both[h + 1 :].max() - step > falling[h]:
+                h += 1 + int(both[h + 1 :].argmax())
+                phase = int(falling[h] >= rising[h])
+        profile.append(h)
+    return profile[::-1]
 
 
-def _trace(table: _Table, x: int, w: int, h: int) -> list[tuple[int, int, int]]:
-    """Tops (first column, column after the last, height index) of the profile that ends at x."""
-    heights = table.best.shape[-1]
-    phase = int(table.best[x, :, w, h].argmax())
-    profile = [(x, h)]
-    while True:
-        before = int(table.came[x, phase, w, h])
-        if before < 0:
-            break
-        phase, h = divmod(before, heights)
-        x -= 1
-        profile.append((x, h))
+def _tops(profile: list[int], first: int) -> list[tuple[int, int, int]]:
+    """Tops (first column, column after the last, height index) of a profile that begins in column `first`."""
     tops: list[tuple[int, int, int]] = []
-    for column, height in reversed(profile):
+    for column, height in enumerate(profile, first):
         if tops and tops[-1][2] == height:
             tops[-1] = (tops[-1][0], column + 1, height)
         else:

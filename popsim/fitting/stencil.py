@@ -1,13 +1,12 @@
 """Where on a plate the model will show once contours are cut."""
 
 from dataclasses import dataclass
-from functools import cached_property
 from math import ceil, floor
 
 import numpy as np
 
 from popsim.fitting.fronts import Fronts
-from popsim.fitting.masks import grown, parts
+from popsim.fitting.masks import FAR, FloatImage, extent, grown, parts
 from popsim.fitting.slant import ACROSS, Slant
 from popsim.geometry.arrays import BoolArray, FloatArray
 from popsim.mechanisms import Plate
@@ -73,12 +72,16 @@ class Stencil:
             shown = inside
         return Stencil(slant, low, grain, shown | (_attached(shown, inside, beyond, fronts.pixel) & ~inside))
 
-    @cached_property
+    @property
     def box(self) -> tuple[FloatArray, FloatArray]:
         """Low and high corner of what shows, each of shape (2,)."""
-        cells = [np.flatnonzero(self.mask.any(axis=1 - k)) for k in (0, 1)]
-        first, last = (np.array([own[end] if len(own) else 0 for own in cells]) for end in (0, -1))
-        return self.low + first * self.grain, self.low + (last + 1) * self.grain
+        first, last = extent(self.mask)
+        return self.low + first * self.grain, self.low + last * self.grain
+
+    @property
+    def picture(self) -> FloatImage:
+        """0 where the model shows, FAR elsewhere, shape (n, m)."""
+        return np.where(self.mask, np.float32(0.0), FAR)
 
 
 def _cells(
@@ -187,6 +190,6 @@ def within(x: FloatArray, y: FloatArray, ring: FloatArray) -> BoolArray:
     for (x0, y0), (x1, y1) in edges:
         if y0 == y1:
             continue
-        crosses = (y0 > y) != (y1 > y)
-        inside ^= crosses & (x < x0 + (y - y0) * ((x1 - x0) / (y1 - y0)))
+        end = x0 if x0 == x1 else x0 + (y - y0) * ((x1 - x0) / (y1 - y0))
+        inside ^= ((y >= y0) != (y >= y1)) & (x < end)
     return inside

@@ -5,12 +5,11 @@ from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
-from popsim.fitting.masks import drawn
+from popsim.fitting.masks import FloatImage, drawn
 from popsim.fitting.slant import ACROSS, Slant
 from popsim.fitting.stencil import Stencil
-from popsim.geometry.arrays import FloatArray, IntArray
+from popsim.geometry.arrays import FloatArray
 
 PIXELS = 96
 """Pixels along the diagonal of the model, in each view."""
@@ -70,7 +69,7 @@ class Views:
 
     def rays(self) -> tuple[FloatArray, FloatArray]:
         """Origins and directions of the rays of all pixels, view after view, shape (9 p, 3)."""
-        steps = self.diagonal * (self._centres / self.pixels - 0.5)
+        steps = self.diagonal * (self.centres / self.pixels - 0.5)
         up, across = (grid.reshape(-1, 1) for grid in np.meshgrid(steps, steps, indexing="ij"))
         right, rise, eye = self.axes[:, None, 0], self.axes[:, None, 1], self.axes[:, None, 2]
         origins = self.centre + across * right + up * rise + self.diagonal * eye
@@ -82,24 +81,22 @@ class Views:
         slant, (least, most) = stencil.slant, stencil.box
         faced = self._facing(slant)
         origin = faced.origin + slant.level * faced.rise
-        middle, half = faced.turn @ ((least + most) / 2) + origin, np.abs(faced.turn) @ ((most - least) / 2)
-        low, high = (np.rint(end).astype(np.int64).clip(0, self.pixels) for end in (middle - half, middle + half))
-        cells = np.empty((len(low), 2, 3))
-        cells[:, :, :2] = faced.back / stencil.grain[:, None]
-        cells[:, :, 2] = (
-            (faced.back @ (low + 0.5 - origin)[:, :, None])[:, :, 0] - stencil.low
-        ) / stencil.grain - 0.5
-        cells = cells[:, ::-1].copy()  # columns of the mask first
+        middle, half = faced.turn @ ((least + most) / 2) + origin, faced.spread @ ((most - least) / 2)
+        ends = np.rint(np.array([middle - half, middle + half]))
+        low, high = np.minimum(np.maximum(ends, 0.0), self.pixels)
+        cells = np.empty((len(low), 2, 3))  # columns of the stencil first
+        cells[:, :, :2] = faced.back[:, ::-1] / stencil.grain[::-1, None]
+        first = (faced.back @ (low + 0.5 - origin)[:, :, None])[:, ::-1, 0]
+        cells[:, :, 2] = (first - stencil.low[::-1]) / stencil.grain[::-1] - 0.5
         nearest = faced.depth - slant.level * faced.height - (faced.deepening * origin).sum(axis=1)
-        found = []
-        for k, ((x0, y0), (x1, y1)) in enumerate(zip(low.tolist(), high.tolist(), strict=True)):
+        spans = np.concatenate([low, high], axis=1).astype(np.int64).tolist()
+        found, picture = [], stencil.picture
+        for k, ((x0, y0, x1, y1), near) in enumerate(zip(spans, nearest.astype(np.float32), strict=True)):
             if x0 < x1 and y0 < y1:
-                rows, columns = slice(y0, y1), slice(x0, x1)
-                shown = drawn(stencil.mask, (y1 - y0, x1 - x0), cells[k])
-                across = (nearest[k] + faced.deepening[k, 0] * self._centres[columns]).astype(np.float32)
-                up = (faced.deepening[k, 1] * self._centres[rows]).astype(np.float32)
-                depth = np.where(shown, across + up[:, None], np.float32(np.inf))
-                found.append(Drawn(faced.views[k], rows, columns, depth))
+                depth = drawn(picture, (y1 - y0, x1 - x0), cells[k])
+                depth += faced.across[k][x0:x1] + near
+                depth += faced.up[k][y0:y1]
+                found.append(Drawn(faced.views[k], slice(y0, y1), slice(x0, x1), depth))
         return found
 
     def _facing(self, slant: Slant) -> "Facing":
@@ -114,7 +111,7 @@ class Views:
         return {}
 
     @cached_property
-    def _centres(self) -> FloatArray:
+    def centres(self) -> FloatArray:
         """Where the centres of the pixels of a row, or of a column, lie, in pixels, shape (pixels,)."""
         return np.arange(self.pixels, dtype=np.float64) + 0.5
 
@@ -135,7 +132,7 @@ class Drawn(NamedTuple):
     view: int
     rows: slice
     columns: slice
-    depth: npt.NDArray[np.float32]
+    depth: FloatImage
 
 
 class Facing(NamedTuple):
@@ -148,21 +145,28 @@ class Facing(NamedTuple):
     turn, origin, rise:
         The column and row of a point are ``turn @ (s, t) + origin + level * rise``; shapes (v, 2, 2), (v, 2) and
         (v, 2).
+    spread:
+        The same as `turn` without signs: columns and rows over which a rectangle spreads.
     back:
         Inverse of `turn`, shape (v, 2, 2).
     depth, height, deepening:
         A point is ``depth - level * height + deepening @ (pixel - origin - level * rise)`` from the origin of its
         ray, mm; shapes (v,), (v,), (v, 2).
+    across, up:
+        By how much it deepens up to each column, mm, shapes (pixels,), and up to each row, shapes (pixels, 1).
     """
 
-    views: IntArray
+    views: list[int]
     turn: FloatArray
+    spread: FloatArray
     origin: FloatArray
     rise: FloatArray
     back: FloatArray
     depth: FloatArray
     height: FloatArray
     deepening: FloatArray
+    across: list[FloatImage]
+    up: list[FloatImage]
 
     @staticmethod
     def of(views: Views, slant: Slant) -> "Facing":
@@ -179,6 +183,7 @@ class Facing(NamedTuple):
         deepening = -(axes[:, 2:] @ steps @ back)[:, 0]
         origin = views.pixels / 2 - axes[:, :2] @ views.centre * scale
         depth = views.diagonal + axes[:, 2] @ views.centre
-        return Facing(
-            faced, turn, origin, axes[:, :2, slant.axis] * scale, back, depth, axes[:, 2, slant.axis], deepening
-        )
+        rise, height = axes[:, :2, slant.axis] * scale, axes[:, 2, slant.axis]
+        across, up = (deepening[:, :, None] * views.centres).astype(np.float32).swapaxes(0, 1)
+        ramps = list(across), list(up[:, :, None])
+        return Facing(faced.tolist(), turn, np.abs(turn), origin, rise, back, depth, height, deepening, *ramps)

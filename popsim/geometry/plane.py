@@ -93,9 +93,9 @@ class Plane:
 def area_vector(ring: FloatArray) -> FloatArray:
     """Twice the area of a ring (n, 3) times its normal (Newell), shape (3,)."""
     points = np.asarray(ring, float)
-    rel = points - points[:1]
-    (x, y, z), (u, v, w) = rel.T, np.concatenate([rel[1:], rel[:1]]).T
-    return np.array([(y * w - z * v).sum(), (z * u - x * w).sum(), (x * v - y * u).sum()])
+    rel = points[1:] - points[:1]
+    m = rel[:-1].T @ rel[1:]
+    return np.array([m[1, 2] - m[2, 1], m[2, 0] - m[0, 2], m[0, 1] - m[1, 0]])
 
 
 def line_distance(points: FloatArray, axis: FloatArray) -> FloatArray:

@@ -4,6 +4,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, fields
 from functools import cached_property
+from math import hypot, sqrt
 from typing import Any, ClassVar, Literal, Self
 
 import numpy as np
@@ -75,8 +76,12 @@ class Plate:
         object.__setattr__(self, "room", locked(room, (None, 3), f"room of {self.role}"))
         object.__setattr__(self, "outward", locked(self.outward, (3,), f"outward of {self.role}"))
         if np.isnan(self.beside):
-            size = float(np.sqrt(np.linalg.norm(area_vector(self.outline)) / 2))
-            object.__setattr__(self, "beside", min(BESIDE * self.behind, BESIDE_OF_FACE * size))
+            object.__setattr__(self, "beside", min(BESIDE * self.behind, BESIDE_OF_FACE * sqrt(self.area)))
+
+    @cached_property
+    def area(self) -> float:
+        """Area of the face, mm^2."""
+        return hypot(*area_vector(self.outline).tolist()) / 2
 
     @property
     def lies(self) -> bool:

@@ -7,6 +7,7 @@ move away. What of a pair is beyond a side turns about their hinge the other way
 may rise through a slit between the two halves of a top as a fin, below the path of the pairs that sweep over it.
 """
 
+from itertools import combinations, pairwise
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -61,25 +62,42 @@ def side_room(box: "BoxFold", y: float) -> FloatArray:
 
 def backbone_room(box: "BoxFold") -> FloatArray:
     """Room of the backbone: its face, and fins over the tops, shape (n, 3)."""
-    from shapely import box as block
-    from shapely import union_all
-    from shapely.geometry import Polygon
+    ring = [(box.x[0], 0.0), (box.x[1], 0.0)]
+    for top in reversed(box.tops):
+        ring += [(top.x1, top.height), *_fin(box, top)[::-1], (top.x0, top.height)]
+    corners = [point for k, point in enumerate(ring) if point != ring[k - 1]]
+    return np.array([[x, 0.0, box.pair.v + z] for x, z in corners])
 
-    ceiling = box.height + FIN * box.half_width
-    face = Polygon(box.profile(0.0)[:, [0, 2]] - [0.0, box.pair.v])
-    fins = []
-    for top in box.tops:
-        margin = min(SLIT_MARGIN, (top.x1 - top.x0) / 4)
-        fins.append(block(top.x0 + margin, top.height, top.x1 - margin, ceiling))
-    swept = []
-    for end in box.end_pairs:
-        far = end.x + end.facing * box.half_width
-        path = [(end.x, end.low), (far, end.low + box.half_width), (far, ceiling), (end.x, ceiling)]
-        swept.append(Polygon(path))
-    room = union_all([face, union_all(fins).difference(union_all(swept))])
-    parts = [part for part in getattr(room, "geoms", [room]) if part.intersects(face)]
-    ring = np.array(max(parts, key=lambda part: part.area).exterior.coords)[:-1]
-    return np.column_stack([ring[:, 0], np.zeros(len(ring)), ring[:, 1] + box.pair.v])
+
+def _fin(box: "BoxFold", top: "Top") -> list[tuple[float, float]]:
+    """How high the backbone may rise over a top, as a path of (x, z) from its low to its high end.
+
+    A pair sweeps, at a distance from where it stands, all that is as far or farther above its lower edge.
+    """
+    margin = min(SLIT_MARGIN, (top.x1 - top.x0) / 4)
+    first, last = top.x0 + margin, top.x1 - margin
+    level = 0.0, top.height, -np.inf, np.inf
+    ceiling = 0.0, box.height + FIN * box.half_width, -np.inf, np.inf
+    paths = [_swept(box, end) for end in box.end_pairs]
+    lines = [ceiling, *(path for path in paths if path[2] < last and first < path[3])]
+    borders = {first, last, *(x for line in lines[1:] for x in line[2:] if first < x < last)}
+    for one, other in combinations([level, *lines], 2):
+        if one[0] != other[0]:
+            x = (other[1] - one[1]) / (one[0] - other[0])
+            borders |= {x} if first < x < last else set()
+    fin = [(first, top.height)]
+    for x0, x1 in pairwise(sorted(borders)):
+        middle = (x0 + x1) / 2
+        over = [(slope, height) for slope, height, low, high in lines if low < middle < high]
+        slope, height = min(over, key=lambda line: line[0] * middle + line[1])
+        fin += [(x, max(slope * x + height, top.height)) for x in (x0, x1)]
+    return [*fin, (last, top.height)]
+
+
+def _swept(box: "BoxFold", end: "EndPair") -> tuple[float, float, float, float]:
+    """Lower edge of what a pair sweeps: slope and height at x = 0 of a line, and from where to where it runs."""
+    near, far = sorted((end.x, end.x + end.facing * box.half_width))
+    return end.facing, end.low - end.facing * end.x, near, far
 
 
 def top_room(box: "BoxFold", top: "Top", sign: int) -> FloatArray:

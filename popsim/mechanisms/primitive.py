@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 from itertools import pairwise
+from math import inf
 from typing import Literal
 
 import numpy as np
@@ -130,7 +131,7 @@ def _size(low: Corner, high: Corner) -> tuple[float, float, float]:
     GeometryError
         An extent is not positive.
     """
-    size = np.subtract(high, low)
-    if not (np.isfinite(size).all() and (size > 0).all()):
-        raise GeometryError(f"a prism needs a positive size, not {size.tolist()} mm")
-    return float(size[0]), float(size[1]), float(size[2])
+    x, y, z = (float(b) - float(a) for a, b in zip(low, high, strict=True))
+    if not (0 < x < inf and 0 < y < inf and 0 < z < inf):
+        raise GeometryError(f"a prism needs a positive size, not {[x, y, z]} mm")
+    return x, y, z

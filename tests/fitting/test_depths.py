@@ -6,6 +6,7 @@ import pytest
 from popsim.design import Card
 from popsim.fitting.candidate import Node, build
 from popsim.fitting.depths import deepened
+from popsim.fitting.refit import valued
 from popsim.fitting.scale import scaled_node
 from popsim.mechanisms import PrismRow, RectangularPrism, TriangularPrism, card_pair, plates_together
 
@@ -24,14 +25,14 @@ def test_the_best_factor_of_each_plate_is_found():
     def value(state):
         return -sum(abs(np.log(behind(state, role) / depth)) for role, depth in wanted.items())
 
-    found = deepened(BOX, value)
+    found = deepened(BOX, valued(value))
     for role, depth in wanted.items():
         assert behind(found, role) == pytest.approx(depth)
     assert behind(found, "L") == behind(BOX, "L")
 
 
 def test_nothing_changes_where_nothing_is_gained():
-    assert deepened(BOX, lambda state: 1.0) == BOX
+    assert deepened(BOX, valued(lambda state: 1.0)) == BOX
 
 
 def test_depths_stay_with_a_node_that_moves_and_scales_and_go_with_its_plates():
@@ -58,5 +59,5 @@ def test_a_roof_has_depths_of_its_own():
     roof = Node(TriangularPrism((-50.0, -30.0, 0.0), (50.0, 30.0, 30.0), "x", 1), card_pair(CARD), None)
     state = build(CARD, [roof], 1.0)
     assert state is not None
-    deep = deepened(state, lambda changed: behind(changed, "T_3"))
+    deep = deepened(state, valued(lambda changed: behind(changed, "T_3")))
     assert behind(deep, "T_3") == pytest.approx(6 * behind(state, "T_3"))
