@@ -9,6 +9,7 @@ given to the nearest of them.
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import count
 
 import numpy as np
 import numpy.typing as npt
@@ -21,6 +22,9 @@ LABELS = np.int32
 OUTSIDE = 0
 """Label of pixels that see nothing."""
 
+BORDER = 3
+"""Pixels; Eq. 3 with derivatives from three pixels marks as many behind an edge."""
+
 Image = npt.NDArray[np.float32]
 Course = tuple[npt.NDArray[np.float32] | FloatArray, float]
 """A map and the amount by which a pixel may leave its course."""
@@ -29,6 +33,8 @@ Course = tuple[npt.NDArray[np.float32] | FloatArray, float]
 @dataclass(frozen=True, eq=False)
 class Segment:
     """A part of a view that is one smooth surface.
+
+    Small parts that were given to it count for its area alone.
 
     Attributes
     ----------
@@ -88,8 +94,10 @@ def segment(
     if not (step > 0 and turn > 0 and least_area >= 0):
         raise GeometryError(f"segmentation needs positive thresholds, not {step:g}, {turn:g} and {least_area:g}")
     courses: list[Course] = [(maps.depth, step), *((maps.normal[..., k], turn) for k in range(3))]
-    labels = label_map(maps.mask, courses, least_area / maps.view.pixel**2)
-    return Segmentation(labels, _described(maps, labels))
+    own, border = _smooth(maps.mask, courses, least_area / maps.view.pixel**2)
+    labels = _spread(own, maps.mask)
+    edged = _spread(own, border | (own != OUTSIDE), 2 * BORDER)
+    return Segmentation(labels, _described(maps, own, edged, labels))
 
 
 def label_map(mask: BoolArray, courses: Sequence[Course], least: float) -> npt.NDArray[np.int32]:
@@ -104,19 +112,24 @@ def label_map(mask: BoolArray, courses: Sequence[Course], least: float) -> npt.N
     least:
         Segments of fewer pixels are given to their neighbours.
     """
+    return _spread(_smooth(mask, courses, least)[0], mask)
+
+
+def _smooth(mask: BoolArray, courses: Sequence[Course], least: float) -> tuple[npt.NDArray[np.int32], BoolArray]:
+    """Number of the segment of each pixel amid one, 0 at borders and in small ones; and where borders are."""
     from scipy.ndimage import label
 
     border = ~mask
     for course, limit in courses:
         _mark(border, np.where(mask, course, 0).astype(np.float32), mask, np.float32(limit))
-    labels, count = label(~border, output=LABELS)
-    sizes = np.bincount(labels.ravel(), minlength=count + 1)
+    labels, parts = label(~border, output=LABELS)
+    sizes = np.bincount(labels.ravel(), minlength=parts + 1)
     sizes[OUTSIDE] = 0
     order = np.argsort(-sizes, kind="stable")
-    number = np.zeros(count + 1, dtype=LABELS)
+    number = np.zeros(parts + 1, dtype=LABELS)
     kept = order[: int((sizes >= max(least, 1)).sum())]
     number[kept] = np.arange(1, len(kept) + 1)
-    return _spread(number[labels], mask)
+    return number[labels], border & mask
 
 
 def _mark(border: BoolArray, f: Image, mask: BoolArray, limit: np.float32) -> None:
@@ -137,10 +150,11 @@ def _back(axis: int, count: int) -> tuple[slice, slice]:
     return (run, slice(None)) if axis == 0 else (slice(None), run)
 
 
-def _spread(labels: npt.NDArray[np.int32], mask: BoolArray) -> npt.NDArray[np.int32]:
+def _spread(labels: npt.NDArray[np.int32], mask: BoolArray, most: int | None = None) -> npt.NDArray[np.int32]:
     """`labels` with the pixels of the mask that have none given to their neighbours, nearest first.
 
-    Borders lie just behind an edge in reading order, so the neighbours to the right and below are asked first.
+    Borders lie just behind an edge in reading order, so that they are given to what is to their right or below
+    where that is near. `most` bounds by how many pixels a segment grows.
     """
     rows, columns = labels.shape
     padded = np.zeros((rows + 2, columns + 2), dtype=LABELS)
@@ -148,33 +162,40 @@ def _spread(labels: npt.NDArray[np.int32], mask: BoolArray) -> npt.NDArray[np.in
     flat = padded.ravel()
     row, column = np.nonzero(mask & (labels == OUTSIDE))
     left = (row + 1) * (columns + 2) + column + 1
-    while len(left):
+    behind = (1, columns + 2)
+    for step in count():
+        near = behind if step < BORDER else (*behind, -1, -columns - 2)
         found = np.zeros(len(left), dtype=LABELS)
-        for neighbour in (1, columns + 2, -1, -columns - 2):
+        for neighbour in near:
             np.copyto(found, flat[left + neighbour], where=found == OUTSIDE)
         flat[left] = found
-        if not found.any():
+        if (step >= BORDER and not found.any()) or step + 1 == most:
             break
         left = left[found == OUTSIDE]
     return padded[1:-1, 1:-1].copy()
 
 
-def _described(maps: OrthographicMaps, labels: npt.NDArray[np.int32]) -> tuple[Segment, ...]:
+def _described(
+    maps: OrthographicMaps,
+    own: npt.NDArray[np.int32],
+    edged: npt.NDArray[np.int32],
+    labels: npt.NDArray[np.int32],
+) -> tuple[Segment, ...]:
+    """The segments: `own` are the pixels amid them, `edged` those with their borders, `labels` all."""
     from scipy.ndimage import find_objects
 
+    areas = np.bincount(labels.ravel()) * maps.view.pixel**2
     found = []
-    for number, window in enumerate(find_objects(labels), 1):
-        if window is None:
-            continue
-        here = labels[window] == number
-        depths = maps.depth[window][here]
-        nearest, middle, farthest = np.percentile(depths, [1, 50, 99])
+    for number, window in enumerate(find_objects(edged), 1):
+        here = own[window] == number
+        nearest, middle, farthest = np.percentile(maps.depth[window][here], [1, 50, 99])
         rows, columns = window
         low = maps.view.from_pixel(np.array([columns.start, rows.stop]))
         high = maps.view.from_pixel(np.array([columns.stop, rows.start]))
         normal = maps.normal[window][here].mean(axis=0, dtype=np.float64)
         length = float(np.linalg.norm(normal))
-        area = float(here.sum()) * maps.view.pixel**2
         unit = normal / length if length > 0 else maps.view.eye
-        found.append(Segment(number, area, float(middle), float(nearest), float(farthest), low, high, unit))
+        found.append(
+            Segment(number, float(areas[number]), float(middle), float(nearest), float(farthest), low, high, unit)
+        )
     return tuple(sorted(found, key=lambda one: -one.area))

@@ -107,6 +107,29 @@ def test_two_megapixels_in_half_a_second_of_work():
     assert min(spent) < 0.5
 
 
+def test_small_parts_given_to_a_segment_move_neither_its_depth_nor_its_extent():
+    block, knob = box((0, -20, 0), (50, 20, 15)), box((0, -1, 15), (44, 1, 16.5))
+    plain, knobbed = (segment(front(shape)).segments[0] for shape in (block, joined(block, knob)))
+    assert (knobbed.nearest, knobbed.depth, knobbed.farthest) == pytest.approx((-50, -50, -50), abs=1e-6)
+    assert knobbed.high == pytest.approx(plain.high, abs=0.3)
+    assert knobbed.area == pytest.approx(plain.area + 2 * 1.5, abs=0.5)
+
+
+def test_a_described_view_of_two_megapixels_takes_half_a_second_of_work(steps):
+    view = View.framing(
+        steps.triangles.reshape(-1, 3), eye=(1, 0, 0), up=(0, 0, 1), pixels_per_unit=(2e6 / 1600) ** 0.5
+    )
+    maps = render_maps(steps, view)
+    assert maps.mask.size == pytest.approx(2e6, rel=0.01)
+    spent = []
+    for _ in range(3):
+        start = time.process_time()
+        found = segment(maps)
+        spent.append(time.process_time() - start)
+    assert len(found.segments) == 3
+    assert min(spent) < 0.5
+
+
 def test_thresholds_must_be_positive(steps):
     with pytest.raises(GeometryError):
         segment(front(steps), step=0)
