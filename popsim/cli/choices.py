@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from popsim.errors import InputError
 
 if TYPE_CHECKING:
-    from popsim.fitting import Wishes
+    from popsim.fitting import Weights, Wishes
     from popsim.pipeline.prepare import Scale
     from popsim.pipeline.wishes import Hand
 
@@ -58,6 +58,17 @@ def most_patches(option: int | None, hand: "Hand") -> int:
 
     stated = hand.most_patches if option is None else option
     return FitSettings().most_patches if stated is None else stated
+
+
+def parse_weights(text: str) -> "Weights":
+    """Return the weights of Eq. 1; InputError where they are not three numbers that add up to 1."""
+    from popsim.fitting import Weights
+
+    try:
+        outliers, distance, coverage = (float(word) for word in text.split(","))
+    except ValueError:
+        raise InputError(f"--weights: expected three numbers as 0.5,0.3,0.2, found '{text}'") from None
+    return Weights(outliers, distance, coverage)
 
 
 def chosen_wishes(hand: "Hand", forbid: Sequence[str]) -> "Wishes":

@@ -62,6 +62,9 @@ Forbid = Annotated[
     list[str] | None, typer.Option(metavar="MECHANISM", help="Never use it, as v-fold-1; may be repeated.")
 ]
 Detail = Annotated[float, typer.Option(help="0: few patches, 1: many.")]
+Weights = Annotated[
+    str, typer.Option(metavar="W1,W2,W3", help="Of outliers, distance and coverage in Eq. 1; they add up to 1.")
+]
 MaxPatches = Annotated[int | None, typer.Option(help="Never make more patches.", show_default="120")]
 Dpi = Annotated[float, typer.Option(help="Resolution of the prints.")]
 Base = Annotated[str, typer.Option(help="What the pages show: none, outline or print.")]
@@ -88,6 +91,7 @@ def design(
     wishes: Wishes = None,
     forbid: Forbid = None,
     detail: Detail = 0.5,
+    weights: Weights = "0.5,0.3,0.2",
     max_patches: MaxPatches = None,
     paper: Paper = "A4",
     style: Style = "origami",
@@ -107,7 +111,7 @@ def design(
 
     Exit code 0: designed and verified. 1: it does not fold, see the report. 2: something is wrong with the input.
     """
-    from popsim.cli.choices import chosen_size, chosen_wishes, most_patches, read_hand
+    from popsim.cli.choices import chosen_size, chosen_wishes, most_patches, parse_weights, read_hand
     from popsim.fitting import FitSettings
     from popsim.layout import LayoutSettings
     from popsim.pipeline import RunSettings, Stance
@@ -120,7 +124,9 @@ def design(
     chosen, exact = chosen_size(size, scale, hand)
     settings = RunSettings(
         stance=Stance(up, front, align, fold.value),
-        fit=FitSettings(detail, most_patches(max_patches, hand), chosen_wishes(hand, forbid or ())),
+        fit=FitSettings(
+            detail, most_patches(max_patches, hand), parse_weights(weights), chosen_wishes(hand, forbid or ())
+        ),
         patches=_prints(dpi, base, bled, reverse),
         size=chosen,
         exact_size=exact,
@@ -186,6 +192,7 @@ def _command(model: Path, settings: "RunSettings", wishes: Path | None) -> str:
         words.append(f"--wishes {wishes.name}")
     words += [f"--forbid {name}" for name in sorted(settings.fit.wishes.forbidden)]
     words += [f"--detail {settings.fit.detail:g}", f"--max-patches {settings.fit.most_patches}"]
+    words.append(f"--weights {settings.fit.weights}")
     words += [f"--base {settings.patches.base}", f"--bleed {settings.layout.bleed:g}mm"]
     if settings.patches.reverse:
         words.append(f"--reverse '{settings.patches.reverse}'")

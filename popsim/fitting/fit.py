@@ -2,7 +2,6 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
 
 from popsim.design import Card
 from popsim.errors import GeometryError, MeshError
@@ -16,13 +15,8 @@ from popsim.fitting.refit import Value, valued
 from popsim.fitting.scale import scaled_node
 from popsim.fitting.search import search
 from popsim.fitting.settings import FitSettings
-from popsim.fitting.snap import Planes
-from popsim.fitting.volume import Volume
-from popsim.geometry.arrays import FloatArray
+from popsim.fitting.subject import Subject
 from popsim.mechanisms import Depths, Mechanism, Primitive
-
-if TYPE_CHECKING:
-    from popsim.rendering.ray_scene import RayScene
 
 FINE = 2
 """Times as many pixels a side by which borders find their last place."""
@@ -63,11 +57,14 @@ class Fit:
         How much it looks like the model before contours are cut.
     closed_gap:
         Gaps up to this were taken as solid to find the shape, mm; 0 where none were.
+    begun:
+        What the search went out from (:class:`popsim.fitting.search.Manner`), or "kept".
     """
 
     candidate: Candidate
     likeness: Likeness
     closed_gap: float
+    begun: str
 
     @property
     def mechanisms(self) -> tuple[Mechanism, ...]:
@@ -110,27 +107,7 @@ class Fit:
         candidate = build(card, nodes, self.candidate.least * factor * (1 - 1e-9), wishes)
         if candidate is None:
             raise GeometryError(f"the fit cannot be made {factor:g} times as large")
-        return Fit(candidate, self.likeness, self.closed_gap * factor)
-
-
-@dataclass(frozen=True, eq=False)
-class Subject:
-    """What is to be abstracted.
-
-    Attributes
-    ----------
-    scene:
-        The model in the card frame, mm, without transparency.
-    bounds:
-        What counts of it, rows low and high, shape (2, 3).
-    volume, planes:
-        Its solid cells, and where its surfaces lie.
-    """
-
-    scene: "RayScene"
-    bounds: FloatArray
-    volume: Volume
-    planes: Planes
+        return replace(self, candidate=candidate, closed_gap=self.closed_gap * factor)
 
 
 def fit(subject: Subject, settings: FitSettings | None = None) -> Fit:
@@ -157,23 +134,23 @@ def fit(subject: Subject, settings: FitSettings | None = None) -> Fit:
 
     values = value_in(coarse), value_in(fine)
 
-    def fit_of(candidate: Candidate, gap: float) -> Fit:
+    def fit_of(candidate: Candidate, gap: float, begun: str) -> Fit:
         shown = deepened(candidate, values[0])
-        return Fit(shown, fine.likeness(shown.mechanisms, shown.depths), gap)
+        return Fit(shown, fine.likeness(shown.mechanisms, shown.depths), gap, begun)
 
     size = float((subject.bounds[1] - subject.bounds[0]).max())
     card = Card(x=(-20 * size, 20 * size), depth=20 * size)
     start = first_candidate(card, THINNEST * size, settings.wishes, settings.most_patches)
     if start.nodes and not settings.wishes.add:
-        return fit_of(start, 0.0)
+        return fit_of(start, 0.0, "kept")
     coarse.look()
     fine.look()
     with two_processes(*values):
-        found = search(start, subject.volume, subject.planes, *values, settings)
+        found = search(subject, start, *values, settings)
         if found is None:
             raise MeshError("no part of the model is solid enough for a mechanism; try --detail 1 or another --up")
-        best, closed = found
-        return fit_of(best, 2 * closed * subject.volume.cell)
+        best, manner = found
+        return fit_of(best, 2 * manner.closed * subject.volume.cell, manner.name)
 
 
 def _placement(candidate: Candidate, index: int) -> Placement:

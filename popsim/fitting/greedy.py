@@ -10,6 +10,7 @@ from popsim.fitting.candidate import Candidate, Node
 from popsim.fitting.corners import propose_corner
 from popsim.fitting.field import Field, Spot, spot_on
 from popsim.fitting.knobs import simplified
+from popsim.fitting.layers import Layers
 from popsim.fitting.mapping import Mapped, mappings
 from popsim.fitting.proposal import Prices, Proposal
 from popsim.fitting.roofs import propose_roof
@@ -46,6 +47,8 @@ class Taste:
         Whether the first prism must carry others: roofs and wedges gain much at once, and end it there.
     plain:
         Whether there are only boxes of one height: tiers on tiers instead of profiles and roofs.
+    layers:
+        Where rows may have their steps and tops; None for everywhere.
     """
 
     price: float
@@ -54,6 +57,7 @@ class Taste:
     most_patches: int
     founded: bool = False
     plain: bool = False
+    layers: Layers | None = None
 
 
 class Grower:
@@ -125,7 +129,8 @@ class Grower:
             if room is None:
                 found = [propose_corner(spot)]
             else:
-                found = [propose_row(spot, prices, room)]
+                layers = self.taste.layers
+                found = [propose_row(spot, prices, room, None if layers is None else layers.allowed(spot))]
                 if not self.taste.plain:
                     found += [propose_roof(spot), *propose_wedges(spot)]
             known = (seen, [proposal for proposal in found if proposal is not None])

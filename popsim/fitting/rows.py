@@ -3,6 +3,7 @@
 import numpy as np
 
 from popsim.fitting.field import Spot
+from popsim.fitting.layers import Allowed
 from popsim.fitting.proposal import Prices, Proposal
 from popsim.geometry.arrays import BoolArray, FloatArray
 from popsim.mechanisms import PrismRow
@@ -17,7 +18,9 @@ OUTSIDE = -1e9
 """Value of a column that may not be used."""
 
 
-def propose_row(spot: Spot, prices: Prices, room: BoolArray | None = None) -> Proposal | None:
+def propose_row(
+    spot: Spot, prices: Prices, room: BoolArray | None = None, allowed: Allowed | None = None
+) -> Proposal | None:
     """The row of prisms that gains most on an opening pair.
 
     Parameters
@@ -29,12 +32,17 @@ def propose_row(spot: Spot, prices: Prices, room: BoolArray | None = None) -> Pr
     room:
         Columns free for a row of each width, as a mask (x, w); None for all. Rows need w more at each end than
         they cover (closing range), which the caller knows.
+    allowed:
+        Where it may have steps and tops; None for everywhere.
     """
     sums = spot.summed()[:, 1:, 1:]
     value = sums + prices.trust * _later(sums, prices)
     if room is not None:
         value = np.where(room[:, : value.shape[1], None], value, OUTSIDE)
-    step = -OUTSIDE if prices.plain else prices.patch * STEP_PATCHES
+    step = np.full((2, len(value)), -OUTSIDE if prices.plain else prices.patch * STEP_PATCHES)
+    if allowed is not None:
+        value = np.where(allowed.height, value, OUTSIDE)
+        step[~np.array([allowed.rise, allowed.fall])] = -OUTSIDE
     best = _run(value, step)
     final = best.max(axis=1)
     x, w, h = (int(k) for k in np.unravel_index(int(final.argmax()), final.shape))
@@ -55,8 +63,10 @@ def _later(sums: FloatArray, prices: Prices) -> FloatArray:
     return np.asarray(np.maximum(best - share, 0.0))
 
 
-def _run(value: FloatArray, step: float) -> FloatArray:
+def _run(value: FloatArray, step: FloatArray) -> FloatArray:
     """Best values of profiles that first rise and then fall and end in each column at each height.
+
+    `step` is the price of a step up, and of one down, at the low end of each column, shape (2, columns).
 
     Returns
     -------
@@ -70,34 +80,35 @@ def _run(value: FloatArray, step: float) -> FloatArray:
         rising, falling = best[x - 1]
         grown, fallen = best[x]
         np.maximum(rising, 0.0, out=grown)
-        lower = np.maximum.accumulate(rising[:, :-1], axis=1) - step
+        lower = np.maximum.accumulate(rising[:, :-1], axis=1) - step[0, x]
         np.maximum(grown[:, 1:], lower, out=grown[:, 1:])
         grown += value[x]
-        higher = np.maximum.accumulate(np.maximum(rising, falling)[:, :0:-1], axis=1)[:, ::-1] - step
+        higher = np.maximum.accumulate(np.maximum(rising, falling)[:, :0:-1], axis=1)[:, ::-1] - step[1, x]
         fallen[:] = falling
         np.maximum(falling[:, :-1], higher, out=fallen[:, :-1])
         fallen += value[x]
     return best
 
 
-def _profile(best: FloatArray, h: int, step: float) -> list[int]:
+def _profile(best: FloatArray, h: int, step: FloatArray) -> list[int]:
     """Height indices, column by column, of the best profile of one width that ends in the last column at h.
 
-    `best` is that of :func:`_run` for this width, shape (columns, 2, heights). Of equals a profile that starts
-    goes before one that stays, that before one that steps, and of steps the lowest.
+    `best` is that of :func:`_run` for this width, shape (columns, 2, heights), `step` as there. Of equals a
+    profile that starts goes before one that stays, that before one that steps, and of steps the lowest.
     """
     phase = int(best[-1, :, h].argmax())
     profile = [h]
-    for rising, falling in best[-2::-1]:
+    for x in range(len(best) - 1, 0, -1):
+        rising, falling = best[x - 1]
         if phase == 0:
-            lower = float(rising[:h].max(initial=-np.inf)) - step
+            lower = float(rising[:h].max(initial=-np.inf)) - step[0, x]
             if max(rising[h], lower) <= 0:
                 break
             if lower > rising[h]:
                 h = int(np.flatnonzero(rising[:h] == rising[:h].max())[-1])
         else:
             both = np.maximum(rising, falling)
-            if h + 1 < len(both) and both[h + 1 :].max() - step > falling[h]:
+            if h + 1 < len(both) and both[h + 1 :].max() - step[1, x] > falling[h]:
                 h += 1 + int(both[h + 1 :].argmax())
                 phase = int(falling[h] >= rising[h])
         profile.append(h)

@@ -2,14 +2,17 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
 
 from popsim.fitting.candidate import Candidate
+from popsim.fitting.combination import Combiner
 from popsim.fitting.depths import deepened
 from popsim.fitting.greedy import Grower, Taste
 from popsim.fitting.refit import Climber, Value
 from popsim.fitting.settings import FitSettings
-from popsim.fitting.snap import Planes
-from popsim.fitting.volume import Volume
+from popsim.fitting.subject import Subject
 
 PROMISING = 3
 """Starts that are refitted."""
@@ -33,6 +36,9 @@ class Manner:
         See :class:`popsim.fitting.greedy.Taste`.
     closed:
         By how many cells gaps are closed first: what a lattice or open arches enclose then counts as solid.
+    name:
+        "profiles"; "layers" where rows have their steps and tops only where the views of the model fall into
+        layers (Eq. 3); "ransac" where prisms are fitted to points instead (Eq. 1), at the same price of patches.
     """
 
     price: float
@@ -41,11 +47,28 @@ class Manner:
     founded: bool = True
     plain: bool = False
     closed: int = 0
+    name: Literal["profiles", "layers", "ransac"] = "profiles"
 
-    def taste(self, settings: FitSettings) -> Taste:
-        """What a greedy run in this manner values."""
+    def begun(self, subject: Subject, start: Candidate, settings: FitSettings) -> Candidate:
+        """What it leads to from a start."""
         price = self.price * settings.patch_price
-        return Taste(price, self.empty, self.trust, settings.most_patches, self.founded, self.plain)
+        if self.name == "ransac":
+            rng = np.random.default_rng(subject.seed)
+            return Combiner(subject.points, settings.weights, price, rng).combined(start)
+        volume = subject.volume.closed(self.closed) if self.closed else subject.volume
+        return Grower(volume, subject.planes, self.taste(subject, settings)).grow(start)
+
+    def taste(self, subject: Subject, settings: FitSettings) -> Taste:
+        """What a greedy run in this manner values."""
+        return Taste(
+            self.price * settings.patch_price,
+            self.empty,
+            self.trust,
+            settings.most_patches,
+            self.founded,
+            self.plain,
+            subject.layers if self.name == "layers" else None,
+        )
 
 
 MANNERS = (
@@ -57,6 +80,8 @@ MANNERS = (
     Manner(0.4, 0.8, 0.6, plain=True),
     Manner(0.2, 0.6, 0.9, plain=True),
     Manner(0.4, 0.1, 0.6),
+    Manner(0.4, 0.8, 0.6, name="layers"),
+    Manner(0.4, 0.8, 0.6, name="ransac"),
 )
 """Ways to begin; the first ones win where they lead to the same."""
 
@@ -65,8 +90,8 @@ SECOND = Manner(0.1, 0.8, 0.3, founded=False)
 
 
 def search(
-    start: Candidate, volume: Volume, planes: Planes, value: Value, fine: Value, settings: FitSettings
-) -> tuple[Candidate, int] | None:
+    subject: Subject, start: Candidate, value: Value, fine: Value, settings: FitSettings
+) -> tuple[Candidate, Manner] | None:
     """Find the candidate of greatest value that grows from `start` and keeps all conditions.
 
     `fine` is the same value with more pixels: by it borders find their last place.
@@ -74,26 +99,25 @@ def search(
     Returns
     -------
     tuple or None
-        The candidate and by how many cells gaps were closed to find it, or None where nothing can be placed.
+        The candidate and how it was begun, or None where nothing can be placed.
     """
-    climber = Climber(value, Grower(volume, planes, SECOND.taste(settings)))
-    grown = sorted(_grown(start, volume, planes, value, settings), key=lambda found: -found[0])
-    tried = [(climber.refit(state, FIRST_BUDGET), closed) for _, state, closed in grown[:PROMISING]]
+    climber = Climber(value, Grower(subject.volume, subject.planes, SECOND.taste(subject, settings)))
+    grown = sorted(_grown(subject, start, value, settings), key=lambda found: -found[0])
+    tried = [(climber.refit(state, FIRST_BUDGET), manner) for _, state, manner in grown[:PROMISING]]
     if not tried:
         return None
-    best, closed = max(tried, key=lambda entry: value(entry[0]))
+    best, manner = max(tried, key=lambda entry: value(entry[0]))
     best = deepened(climber.complete(best, LAST_BUDGET), value)
-    return Climber(fine, climber.grower).refit(best, FINE_BUDGET, FINE_STEPS), closed
+    return Climber(fine, climber.grower).refit(best, FINE_BUDGET, FINE_STEPS), manner
 
 
 def _grown(
-    start: Candidate, volume: Volume, planes: Planes, value: Value, settings: FitSettings
-) -> Iterator[tuple[float, Candidate, int]]:
-    """What the greedy runs lead to, each once: value, candidate, and closed gaps."""
+    subject: Subject, start: Candidate, value: Value, settings: FitSettings
+) -> Iterator[tuple[float, Candidate, Manner]]:
+    """What the manners lead to, each once: value, candidate, and the manner."""
     seen = set()
     for manner in MANNERS:
-        filled = volume.closed(manner.closed) if manner.closed else volume
-        state = Grower(filled, planes, manner.taste(settings)).grow(start)
+        state = manner.begun(subject, start, settings)
         if state.nodes and state.nodes not in seen:
             seen.add(state.nodes)
-            yield value(state), state, manner.closed
+            yield value(state), state, manner

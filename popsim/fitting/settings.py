@@ -3,6 +3,7 @@
 from dataclasses import dataclass, field
 
 from popsim.errors import InputError
+from popsim.fitting.ransac import Weights
 from popsim.fitting.wishes import Wishes
 
 DEAREST, CHEAPEST = 0.03, 0.0008
@@ -22,12 +23,15 @@ class FitSettings:
         0 (few patches) to 1 (many).
     most_patches:
         No prism is placed that would lead to more, ground and backdrop not counted.
+    weights:
+        Of Eq. 1, by which RANSAC fits prisms.
     wishes:
         What is kept, and what may not be.
     """
 
     detail: float = 0.5
     most_patches: int = 120
+    weights: Weights = field(default_factory=Weights)
     wishes: Wishes = field(default_factory=Wishes)
 
     def __post_init__(self) -> None:

@@ -75,6 +75,14 @@ def face_normals(surface: Surface) -> tuple[FloatArray, FloatArray]:
     return normals, doubled / 2
 
 
+def spread(samples: Samples, bounds: FloatArray, count: int, seed: int) -> FloatArray:
+    """Draw points within a box, rows low and high (2, 3), as often as their area says; shape (count, 3)."""
+    inside = np.flatnonzero(((samples.points >= bounds[0]) & (samples.points <= bounds[1])).all(axis=1))
+    area = samples.area[inside]
+    drawn = np.random.default_rng(seed).choice(inside, count, p=area / area.sum())
+    return np.asarray(samples.points[drawn])
+
+
 def sample_surface(surface: Surface, count: int, *, seed: int) -> Samples:
     """Spread about `count` points evenly over a surface.
 

@@ -36,6 +36,7 @@ def report_of(run: DesignRun, planned: Planned | None, files: list[str], command
         "fit": {
             "silhouette": _rounded(fit.likeness.silhouette),
             "relief": _rounded(fit.likeness.relief),
+            "begun": fit.begun,
             "kept": [mechanism.id for mechanism in run.settings.fit.wishes.kept],
             "forbidden": sorted(run.settings.fit.wishes.forbidden),
             "placements": [

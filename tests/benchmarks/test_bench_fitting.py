@@ -6,8 +6,8 @@ from conftest import Report, cpu_seconds, exponent
 
 from popsim.fitting import Subject, fit, measure_volume
 from popsim.fitting.snap import Planes
-from popsim.mesh.sampling import sample_surface
-from popsim.pipeline.abstract import GATHER
+from popsim.mesh.sampling import sample_surface, spread
+from popsim.pipeline.abstract import GATHER, RANSAC_POINTS
 from popsim.pipeline.prepare import Stance, prepare
 
 POINTS = (5_000, 20_000, 80_000)
@@ -20,12 +20,14 @@ def test_fitting(models: Path, report: Report) -> None:
     rows, costs = [], []
     for count in POINTS:
 
-        def planes(count: int = count) -> Planes:
+        def sampled(count: int = count) -> Subject:
             samples = sample_surface(prepared.surface, count, seed=0)
-            return Planes.of(samples.points, samples.normals, samples.area, GATHER)
+            planes = Planes.of(samples.points, samples.normals, samples.area, GATHER)
+            points = spread(samples, prepared.bounds, RANSAC_POINTS, 0)
+            return Subject(scene, prepared.bounds, volume, planes, points)
 
-        subject = Subject(scene, prepared.bounds, volume, planes())
-        sampling = cpu_seconds(planes, rounds=1)
+        subject = sampled()
+        sampling = cpu_seconds(sampled, rounds=1)
         fitting = cpu_seconds(lambda subject=subject: fit(subject), rounds=1)
         rows.append((count, sampling, fitting, sampling + fitting))
         costs.append(sampling + fitting)

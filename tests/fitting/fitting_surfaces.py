@@ -50,9 +50,10 @@ def subdivided(triangles: np.ndarray, times: int) -> np.ndarray:
 
 def subject_of(shape: Surface) -> Subject:
     """What fitting needs of a surface."""
-    from popsim.mesh.sampling import sample_surface
+    from popsim.mesh.sampling import sample_surface, spread
 
     samples = sample_surface(shape, 8000, seed=0)
     planes = Planes.of(samples.points, samples.normals, samples.area, 0.5)
     scene = RayScene(shape)
-    return Subject(scene, shape.bounds, measure_volume(scene, shape.bounds), planes)
+    points = spread(samples, shape.bounds, 1000, 0)
+    return Subject(scene, shape.bounds, measure_volume(scene, shape.bounds), planes, points)

@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 
 from popsim.design import Card
 from popsim.fitting.field import Spot
+from popsim.fitting.layers import Layers
 from popsim.fitting.proposal import Prices
 from popsim.fitting.rows import STEP_PATCHES, propose_row
 from popsim.fitting.runs import best_run
@@ -58,3 +59,17 @@ def test_row_of_a_staircase_has_its_steps() -> None:
     assert found.primitive.half_width == 2.0
     assert found.primitive.tops == ((0.0, 3.0, 1.0), (3.0, 6.0, 4.0), (6.0, 9.0, 2.0))
     assert found.gain == 42
+
+
+def test_row_steps_and_ends_only_where_layers_allow_it() -> None:
+    gain = np.full((9, 2, 4), -1.0)
+    for x, h in enumerate((1, 1, 1, 4, 4, 4, 2, 2, 2)):
+        gain[x, :, :h] = 1.0
+    spot = Spot(PAIR, gain, np.zeros(3), 1.0)
+    layers = Layers.of((1.1, 4.0), (6.2,), (2.9,))
+    found = propose_row(spot, Prices(0.1), None, layers.allowed(spot))
+    assert isinstance(found.primitive, PrismRow)
+    assert found.primitive.tops == ((0.0, 3.0, 1.0), (3.0, 6.0, 4.0), (6.0, 9.0, 1.0))  # no layer lies at 2
+    nowhere = Layers.of((4.0,), (), ())
+    plain = propose_row(spot, Prices(0.1), None, nowhere.allowed(spot))
+    assert isinstance(plain.primitive, PrismRow) and len(plain.primitive.tops) == 1
