@@ -67,11 +67,10 @@ class Grid:
     def points(self, which: IntArray) -> FloatArray:
         """The centres of some pixels, counted row by row, in space, shape (n, 3)."""
         row, column = np.divmod(which, self.shape[1])
-        u = self.low[0] + (column + 0.5) * self.pixel
-        v = self.low[1] + (self.shape[0] - row - 0.5) * self.pixel
         points = np.empty((len(which), 3))
-        for axis in range(3):
-            points[:, axis] = self.plane.origin[axis] + u * self.plane.u[axis] + v * self.plane.v[axis]
+        for axis, values in enumerate(self.starts()):
+            rows, columns = values.shape
+            points[:, axis] = values[row if rows > 1 else 0, column if columns > 1 else 0]
         return points
 
     def covered(self, shape: "BaseGeometry") -> BoolArray:
@@ -124,7 +123,9 @@ class Sight:
         return np.isfinite(self.depth)
 
 
-def look(scene: RayScene, grid: Grid, box: FloatArray, near: float, far: FloatArray | float) -> Sight:
+def look(
+    scene: RayScene, grid: Grid, box: FloatArray, near: float, far: FloatArray | float, *, bary: bool = True
+) -> Sight:
     """Find what the pixels see of the part of the scene within a box.
 
     Parameters
@@ -138,19 +139,42 @@ def look(scene: RayScene, grid: Grid, box: FloatArray, near: float, far: FloatAr
     near, far:
         Least and greatest depth behind the plane; `far` may differ by pixel, shape (rows, columns) (NaN: not
         looked at).
+    bary:
+        Whether to tell where on its face each pixel ends; colours need it.
     """
-    eye = grid.plane.normal
-    enter, leave = _within(box, grid)
-    start, stop = (np.broadcast_to(ends, grid.shape) for ends in (np.maximum(enter, near), np.minimum(leave, far)))
-    asked = np.flatnonzero(stop >= start)
-    start, stop = start.ravel()[asked], stop.ravel()[asked]
-    hits = scene.hit(grid.points(asked), -eye[None], near=start, far=stop)
+    asked, start, stop = _asked(grid, box, near, far)
+    hits = scene.hit(grid.points(asked), -grid.plane.normal[None], near=start, far=stop, bary=bary)
     count = grid.shape[0] * grid.shape[1]
     depth = np.full(count, np.inf)
     face = np.full(count, -1, dtype=np.int64)
-    bary = np.zeros((count, 3))
-    depth[asked], face[asked], bary[asked] = hits
-    return Sight(grid, depth.reshape(grid.shape), face, bary)
+    depth[asked], face[asked] = hits.distance, hits.face
+    places = np.zeros((count if bary else 0, 3))
+    if bary:
+        places[asked] = hits.bary
+    return Sight(grid, depth.reshape(grid.shape), face, places)
+
+
+def shows(scene: RayScene, grid: Grid, box: FloatArray, near: float, far: FloatArray | float) -> BoolArray:
+    """Tell which pixels see anything, shape (rows, columns); parameters as of :func:`look`, but faster."""
+    asked, start, stop = _asked(grid, box, near, far)
+    seen = np.zeros(grid.shape, dtype=bool)
+    seen.ravel()[asked] = scene.meets(grid.points(asked), -grid.plane.normal[None], near=start, far=stop)
+    return seen
+
+
+def _asked(
+    grid: Grid, box: FloatArray, near: float, far: FloatArray | float
+) -> tuple[IntArray, FloatArray, FloatArray]:
+    """The pixels whose rays pass the box, counted row by row, and from where to where they are followed."""
+    enter, leave = _within(box, grid)
+    start, stop = (np.broadcast_to(ends, grid.shape) for ends in (np.maximum(enter, near), np.minimum(leave, far)))
+    asked = np.flatnonzero(stop >= start)
+    return asked, _of_asked(start, asked), _of_asked(stop, asked)
+
+
+def _of_asked(values: FloatArray, asked: IntArray) -> FloatArray:
+    """The values of some pixels, shape (n,); of all at once, shape (1,), where they are the same."""
+    return values[0, :1] if values.strides == (0, 0) else values.ravel()[asked]
 
 
 def colours(scene: RayScene, sight: Sight) -> UInt8Array:

@@ -10,7 +10,7 @@ from popsim.patches.clean import common, polygons, union, without
 from popsim.patches.legs import legs
 from popsim.patches.piece import Piece
 from popsim.patches.settings import PatchSettings
-from popsim.patches.sight import Grid, look
+from popsim.patches.sight import Grid, look, shows
 from popsim.patches.silhouette import mask_polygon
 from popsim.rendering.ray_scene import RayScene
 
@@ -41,31 +41,40 @@ def see(scene: RayScene, piece: Piece, settings: PatchSettings) -> None:
         hidden = common(mask_polygon(_hidden(scene, piece, grid), grid), piece.face)
         piece.shape = union(hidden, *_fins(scene, piece, grid))
         return
-    sight = look(scene, grid, piece.box, -REACH, depths(piece, grid, piece.room))
-    mask = sight.mask if piece.stands or piece.plate.lies else sight.mask & ~legs(sight, piece)
+    mask = _shown(scene, piece, grid)
     dents = _enclosed(mask, piece, grid)
     if dents.any():
-        dents &= look(scene, grid, piece.box, -REACH, np.where(dents, REACH, np.nan)).mask
+        dents = shows(scene, grid, piece.box, -REACH, np.where(dents, REACH, np.nan))
         piece.recesses = mask_polygon(dents, grid).buffer(grid.pixel)
     piece.shape = common(mask_polygon(mask | dents, grid), piece.room)
 
 
-def _between(scene: RayScene, piece: Piece, grid: Grid, depth: float) -> BoolArray:
+def _shown(scene: RayScene, piece: Piece, grid: Grid) -> BoolArray:
+    """Pixels on which the model shows, but for legs."""
+    far = depths(piece, grid, piece.room)
+    if piece.stands or piece.plate.lies:
+        return shows(scene, grid, piece.box, -REACH, far)
+    sight = look(scene, grid, piece.box, -REACH, far, bary=False)
+    return sight.mask & ~legs(sight, piece)
+
+
+def _between(scene: RayScene, piece: Piece, grid: Grid, within: BoolArray, depth: float) -> BoolArray:
     """Pixels at which the model reaches from one side of a plane to the other, or at most `depth` short of it."""
-    left, lower, right, upper = piece.room.bounds
-    behind = Grid.over(_turned(piece.plane), (-right, lower, -left, upper), grid.pixel)
-    masks = [look(scene, each, piece.box, -REACH, depth).mask for each in (grid, behind)]
-    return np.asarray(masks[0] & masks[1][:, ::-1])
+    mask = shows(scene, grid, piece.box, -REACH, np.where(within, depth, np.nan))
+    left, lower = grid.low
+    right = left + grid.shape[1] * grid.pixel
+    behind = Grid(_turned(piece.plane), np.array([-right, lower]), grid.pixel, grid.shape)
+    return shows(scene, behind, piece.box, -REACH, np.where(mask[:, ::-1], depth, np.nan))[:, ::-1]
 
 
 def _hidden(scene: RayScene, piece: Piece, grid: Grid) -> BoolArray:
     """Pixels that both sides hide, and what lies amid them, but for windows through to the far side."""
     from scipy.ndimage import binary_fill_holes
 
-    hidden = _between(scene, piece, grid, 0.0)
+    hidden = _between(scene, piece, grid, np.ones(grid.shape, dtype=bool), 0.0)
     amid = np.asarray(binary_fill_holes(hidden)) & ~hidden
     if amid.any():
-        hidden |= look(scene, grid, piece.box, -REACH, np.where(amid, REACH, np.nan)).mask
+        hidden |= shows(scene, grid, piece.box, -REACH, np.where(amid, REACH, np.nan))
     return hidden
 
 
@@ -74,7 +83,7 @@ def _fins(scene: RayScene, piece: Piece, grid: Grid) -> list["Polygon"]:
     beyond = without(piece.room, piece.face)
     if beyond.is_empty:
         return []
-    mask = _between(scene, piece, grid, piece.plate.beside) & grid.covered(beyond)
+    mask = _between(scene, piece, grid, grid.covered(beyond), piece.plate.beside)
     mask &= mask.sum(axis=0) * grid.pixel >= LEAST_RISE
     fins = polygons(common(mask_polygon(mask, grid), beyond))
     return [fin for fin in fins if fin.area >= LEAST_FIN and fin.distance(piece.face) <= grid.pixel]

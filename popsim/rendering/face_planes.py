@@ -49,10 +49,10 @@ class FacePlanes:
         gradient = self.gradient / factor
         return FacePlanes(self.corners * factor, self.normals, self.offset * factor, gradient, self.constant)
 
-    def meet(
+    def distance(
         self, face: IntArray, origins: FloatArray, directions: FloatArray, rough: FloatArray
-    ) -> tuple[FloatArray, FloatArray]:
-        """Return where rays meet faces: distance (k,) and barycentric coordinates (k, 3).
+    ) -> FloatArray:
+        """Return how far from their origins rays meet faces, shape (k,).
 
         Parameters
         ----------
@@ -64,19 +64,23 @@ class FacePlanes:
             Distances good to single precision, shape (k,); used where a ray runs along its face.
         """
         normal = self.normals[face]
-        sine = np.einsum("kd,kd->k", normal, np.broadcast_to(directions, normal.shape))
+        sine = normal @ directions[0] if len(directions) == 1 else np.einsum("kd,kd->k", normal, directions)
         height = self.offset[face] - np.einsum("kd,kd->k", normal, origins)
-        distance = np.divide(height, sine, out=rough.copy(), where=np.abs(sine) > GRAZING)
-        grazing = np.flatnonzero(np.abs(sine) <= GRAZING)
+        clear = np.abs(sine) > GRAZING
+        distance = np.divide(height, sine, out=rough.copy(), where=clear)
+        grazing = np.flatnonzero(~clear)
         if len(grazing):
             along = directions if len(directions) == 1 else directions[grazing]
             corners = self.corners[face[grazing]] - origins[grazing, None]
             reach = np.einsum("kcd,kd->kc", corners, np.broadcast_to(along, (len(grazing), 3)))
             distance[grazing] = np.clip(rough[grazing], reach.min(axis=1), reach.max(axis=1))
-        points = origins + distance[:, None] * directions
+        return np.asarray(distance)
+
+    def bary(self, face: IntArray, points: FloatArray) -> FloatArray:
+        """Return barycentric coordinates (k, 3) of points (k, 3) on faces (k,)."""
         bary = np.empty((len(face), 3))
         bary[:, 1:] = np.einsum("kcd,kd->kc", self.gradient[face], points) + self.constant[face]
         bary[:, 0] = 1.0 - bary[:, 1] - bary[:, 2]
         np.clip(bary, 0.0, 1.0, out=bary)
         bary /= bary.sum(axis=1, keepdims=True)
-        return distance, bary
+        return bary

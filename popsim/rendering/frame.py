@@ -47,7 +47,7 @@ def draw_with_rays(scene: RayScene, camera: Camera, rows: int, columns: int) -> 
 
     def trace(part: slice) -> tuple[Image, ...]:
         origins, directions = camera.rays(rows, columns, part)
-        hits = scene.hit(origins, directions)
+        hits = scene.hit(origins, directions, bary=True)
         seen = np.flatnonzero(hits.face >= 0)
         face, bary, along = hits.face[seen], hits.bary[seen], directions[seen]
         depth = hits.distance[seen] / np.linalg.norm(along, axis=1)

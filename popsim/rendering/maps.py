@@ -97,7 +97,7 @@ def render_maps(
     stop = float(depths.max()) if far is None else far
     plane = view.pixel_centres().reshape(-1, 2)
     origins = view.to_space(np.column_stack([plane, np.full(len(plane), start)]))
-    hits = scene.hit(origins, -view.eye[None], far=stop - start, through_holes=through_holes)
+    hits = scene.hit(origins, -view.eye[None], far=stop - start, through_holes=through_holes, bary=True)
     image = _Image(scene, view, origins, hits)
     colours = image.flat_colours()
     if shading == "shaded" or (shading == "auto" and scene.paint.plain):

@@ -19,6 +19,8 @@ class Paint:
     ----------
     holed:
         Faces that may have holes (texels or colours of alpha < 0.5), shape (m,).
+    has_holes:
+        Whether any face may.
     plain:
         Whether the surface has one colour and no texture, so that only light can show its shape.
     """
@@ -33,6 +35,7 @@ class Paint:
         self._uv = surface.uv - tile[:, None, :]
         self._texels_per_unit = self._density()
         self.holed = self._holed_faces()
+        self.has_holes = bool(self.holed.any())
         self.plain = not surface.textured and self._one_colour()
 
     def colours(self, face: IntArray, bary: FloatArray, pixel: FloatArray | float) -> Colours:

@@ -21,13 +21,15 @@ from popsim.rendering.twins import TwinFaces
 RADIUS = 100.0  # the surface is scaled to this for Embree, which works in float32
 TOLERANCE = 1e-5  # times the half diagonal of the bounds: surfaces nearer to each other count as one
 SMALLEST = 1e-12  # half diagonal of a surface that is one point
+FARTHEST = 1e30  # what Embree takes for infinitely far
 MAX_LAYERS = 64  # holed faces that one ray passes; nothing is seen behind so many
 
 
 class Hits(NamedTuple):
     """The first hit of each of `n` rays.
 
-    `distance` (n,) is infinite, `face` (n,) is -1 and `bary` (n, 3) zero where nothing was hit.
+    `distance` (n,) is infinite, `face` (n,) is -1 and `bary` (n, 3) zero where nothing was hit; `bary` has no rows
+    where it was not asked for.
     """
 
     distance: FloatArray
@@ -44,11 +46,29 @@ class Crossings(NamedTuple):
 
 
 class _Layer(NamedTuple):
+    """A hit of each of some rays: which rays, how far, which face, where on it, and which of them it stops."""
+
     ray: IntArray
     distance: FloatArray
     face: IntArray
-    bary: FloatArray
-    stops: BoolArray
+    bary: FloatArray | None
+    stops: BoolArray | None
+
+
+class _Rays(NamedTuple):
+    """Rays from `origins` (n, 3) along unit `directions`, (n, 3) or (1, 3); two distances each, (n,) or (1,)."""
+
+    origins: FloatArray
+    directions: FloatArray
+    near: FloatArray
+    far: FloatArray
+
+    def some(self, which: slice | IntArray) -> "_Rays":
+        """Those with some numbers."""
+        directions, near, far = (
+            values if len(values) == 1 else values[which] for values in (self.directions, self.near, self.far)
+        )
+        return _Rays(self.origins[which], directions, near, far)
 
 
 class RayScene:
@@ -143,6 +163,7 @@ class RayScene:
         near: FloatArray | float = 0.0,
         far: FloatArray | float = np.inf,
         through_holes: bool = True,
+        bary: bool = False,
     ) -> Hits:
         """Return the first face that each ray meets.
 
@@ -157,22 +178,27 @@ class RayScene:
             or one for each ray, shape (n,).
         through_holes:
             Rays pass through texels and colours of alpha < 0.5.
+        bary:
+            Whether to tell where on its face each ray ends.
         """
-        origins, directions = _rays(origins, directions)
-        starts, stops = (np.broadcast_to(ends, len(origins)) for ends in (near, far))
-        solid = self.paint.solid if through_holes else _everything
+        rays = _rays(origins, directions, near, far)
+        holed = through_holes and self.paint.has_holes
+        stops = self.paint.solid if holed else None
 
         def trace(part: slice) -> Hits:
-            along = directions if len(directions) == 1 else directions[part]
-            result = _no_hits(len(origins[part]))
-            for layer in self._layers(origins[part], along, starts[part], stops[part], solid):
-                at = layer.ray[layer.stops]
-                result.distance[at] = layer.distance[layer.stops]
-                result.face[at] = layer.face[layer.stops]
-                result.bary[at] = layer.bary[layer.stops]
-            return result
+            here = rays.some(part)
+            count = len(here.origins)
+            distance, face = np.full(count, np.inf), np.full(count, -1, dtype=np.int64)
+            places = np.zeros((count if bary else 0, 3))
+            for layer in self._layers(here, stops, bary=bary or holed):
+                at = layer.ray if layer.stops is None else layer.ray[layer.stops]
+                kept = slice(None) if layer.stops is None else layer.stops
+                distance[at], face[at] = layer.distance[kept], layer.face[kept]
+                if bary and layer.bary is not None:
+                    places[at] = layer.bary[kept]
+            return Hits(distance, face, places)
 
-        parts = map_chunks(trace, len(origins))
+        parts = map_chunks(trace, len(rays.origins))
         return Hits(*(np.concatenate(columns) for columns in zip(*parts, strict=True)))
 
     def crossings(self, origins: FloatArray, directions: FloatArray, *, far: float = np.inf) -> Crossings:
@@ -180,19 +206,17 @@ class RayScene:
 
         Crossings nearer to each other than `tolerance` (as on an edge between two faces) count once.
         """
-        origins, directions = _rays(origins, directions)
-        start, stop = (np.broadcast_to(ends, len(origins)) for ends in (0.0, far))
+        rays = _rays(origins, directions, 0.0, far)
 
         def trace(part: slice) -> Crossings:
-            along = directions if len(directions) == 1 else directions[part]
-            layers = list(self._layers(origins[part], along, start[part], stop[part], _nothing))
+            layers = list(self._layers(rays.some(part), _nothing))
             ray = np.concatenate([layer.ray for layer in layers] or [np.zeros(0, dtype=np.int64)])
             distance = np.concatenate([layer.distance for layer in layers] or [np.zeros(0)])
             face = np.concatenate([layer.face for layer in layers] or [np.zeros(0, dtype=np.int64)])
             order = np.argsort(ray, kind="stable")  # the layers come nearest first
             return Crossings(ray[order] + part.start, distance[order], face[order])
 
-        parts = map_chunks(trace, len(origins))
+        parts = map_chunks(trace, len(rays.origins))
         return Crossings(*(np.concatenate(columns) for columns in zip(*parts, strict=True)))
 
     def thickness(self, origins: FloatArray, directions: FloatArray) -> FloatArray:
@@ -211,57 +235,81 @@ class RayScene:
         return inside.astype(np.float64)  # whole numbers where no ray hit anything
 
     def occluded(self, origins: FloatArray, directions: FloatArray, *, far: float = np.inf) -> BoolArray:
-        """Return which rays meet anything before `far`, shape (n,); holes let them through."""
-        origins, directions = _rays(origins, directions)
+        """Return which rays meet anything before `far`, shape (n,); holes let them through.
 
-        def trace(part: slice) -> BoolArray:
-            along = directions if len(directions) == 1 else directions[part]
-            start = origins[part] + along * (2 * self.tolerance)
-            result: BoolArray = self._run(start, along, np.full(len(start), far), query="OCCLUDED") >= 0
-            return result
+        What is nearer than twice the tolerance is passed over: rays may start on the surface.
+        """
+        return self.meets(origins, directions, near=3 * self.tolerance, far=far - self.tolerance)
 
-        result = np.concatenate(map_chunks(trace, len(origins)))
-        if self.paint.holed.any():
-            at = np.flatnonzero(result)
-            along = directions if len(directions) == 1 else directions[at]
-            result[at] = self.hit(origins[at], along, near=2 * self.tolerance, far=far).face >= 0
-        return result
-
-    def _run(self, origins: FloatArray, directions: FloatArray, far: FloatArray, **options: Any) -> Any:
-        scale = RADIUS / self.size
-        start = ((origins - self._centre) * scale).astype(np.float32)
-        reach = np.minimum(far * scale, 1e30).astype(np.float32)
-        return self._embree.run(start, directions.astype(np.float32), dists=reach, **options)
-
-    def _layers(
+    def meets(
         self,
         origins: FloatArray,
         directions: FloatArray,
-        near: FloatArray,
-        far: FloatArray,
-        stops: Callable[[IntArray, FloatArray], BoolArray],
+        *,
+        near: FloatArray | float = 0.0,
+        far: FloatArray | float = np.inf,
+    ) -> BoolArray:
+        """Return which rays meet anything, shape (n,): where :meth:`hit` finds a face, for a third of the time."""
+        rays = _rays(origins, directions, near, far)
+
+        def trace(part: slice) -> BoolArray:
+            here = rays.some(part)
+            start, reach = here.near - self.tolerance, here.far - here.near + 2 * self.tolerance
+            found: BoolArray = self._run(here.origins, here.directions, start, reach, query="OCCLUDED") >= 0
+            return found
+
+        result = np.concatenate(map_chunks(trace, len(rays.origins)))
+        if self.paint.has_holes:
+            at = np.flatnonzero(result)
+            some = rays.some(at)
+            result[at] = self.hit(some.origins, some.directions, near=some.near, far=some.far).face >= 0
+        return result
+
+    def _run(
+        self, origins: FloatArray, directions: FloatArray, start: FloatArray, reach: FloatArray, **options: Any
+    ) -> Any:
+        """What Embree finds along rays, from a distance on, no further than a reach from there."""
+        scale = RADIUS / self.size
+        points = origins + (directions * start[:, None] - self._centre)
+        points *= scale
+        far = np.empty(len(points), dtype=np.float32)
+        far[:] = np.clip(reach * scale, 0.0, FARTHEST)
+        return self._embree.run(points.astype(np.float32), directions.astype(np.float32), dists=far, **options)
+
+    def _layers(
+        self, rays: _Rays, stops: Callable[[IntArray, FloatArray], BoolArray] | None, *, bary: bool = True
     ) -> Iterator[_Layer]:
-        """Yield hit after hit of the rays that nothing has stopped yet."""
-        live = np.arange(len(origins))
-        start, stop = near - self.tolerance, far + self.tolerance
+        """Yield hit after hit of the rays that nothing has stopped yet; `stops` None: every hit does."""
+        start, stop = rays.near - self.tolerance, rays.far + self.tolerance
+        live: IntArray | None = None
         for _ in range(MAX_LAYERS):
-            along = directions if len(directions) == 1 else directions[live]
-            reach = np.maximum(stop[live] - start, 0.0)
-            found = self._run(origins[live] + along * start[:, None], along, reach, output=True)
-            met = found["primID"] >= 0
-            rough = start[met] + found["tfar"][met].astype(np.float64) * (self.size / RADIUS)
-            live, along = live[met], along if len(along) == 1 else along[met]
-            face = self._twins.seen(found["primID"][met], self.normals, along)
-            distance, bary = self._planes.meet(face, origins[live] - self._centre, along, rough)
-            layer = _Layer(live, distance, face, bary, stops(face, bary))
-            yield layer
-            live = live[~layer.stops]
-            if not len(live):
+            found = self._run(rays.origins, rays.directions, start, stop - start, output=True)
+            met = np.flatnonzero(found["primID"] >= 0)
+            rays, start, stop = (
+                rays.some(met),
+                start if len(start) == 1 else start[met],
+                stop if len(stop) == 1 else stop[met],
+            )
+            live = met if live is None else live[met]
+            rough = start + found["tfar"][met].astype(np.float64) * (self.size / RADIUS)
+            face = self._twins.seen(found["primID"][met], self.normals, rays.directions)
+            relative = rays.origins - self._centre
+            distance = self._planes.distance(face, relative, rays.directions, rough)
+            places = self._planes.bary(face, relative + distance[:, None] * rays.directions) if bary else None
+            if stops is None or places is None:
+                yield _Layer(live, distance, face, places, None)
                 return
-            start = np.maximum(distance, rough)[~layer.stops] + self.tolerance
+            stopped = stops(face, places)
+            yield _Layer(live, distance, face, places, stopped)
+            on = np.flatnonzero(~stopped)
+            if not len(on):
+                return
+            rays, live = rays.some(on), live[on]
+            start = np.maximum(distance, rough)[on] + self.tolerance
+            stop = stop if len(stop) == 1 else stop[on]
 
 
-def _rays(origins: FloatArray, directions: FloatArray) -> tuple[FloatArray, FloatArray]:
+def _rays(origins: FloatArray, directions: FloatArray, near: FloatArray | float, far: FloatArray | float) -> _Rays:
     origins, directions = np.asarray(origins, dtype=np.float64), np.asarray(directions, dtype=np.float64)
     if origins.ndim != 2 or origins.shape[1] != 3 or directions.shape not in (origins.shape, (1, 3)):
         raise GeometryError(
@@ -270,15 +318,8 @@ def _rays(origins: FloatArray, directions: FloatArray) -> tuple[FloatArray, Floa
     length = np.linalg.norm(directions, axis=1, keepdims=True)
     if not (length > 0).all():
         raise GeometryError("a ray has the direction 0 0 0; give every ray a direction")
-    return origins, directions / length
-
-
-def _no_hits(count: int) -> Hits:
-    return Hits(np.full(count, np.inf), np.full(count, -1, dtype=np.int64), np.zeros((count, 3)))
-
-
-def _everything(face: IntArray, bary: FloatArray) -> BoolArray:
-    return np.ones(len(face), dtype=bool)
+    start, stop = (np.atleast_1d(np.asarray(end, dtype=np.float64)) for end in (near, far))
+    return _Rays(origins, directions / length, start, stop)
 
 
 def _nothing(face: IntArray, bary: FloatArray) -> BoolArray:

@@ -1,6 +1,7 @@
 """Faces with the same three corners: modellers paste two, back to back, to colour the sides differently."""
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -52,6 +53,16 @@ class TwinFaces:
     def seen(self, triangle: IntArray, normals: FloatArray, directions: FloatArray) -> IntArray:
         """Return the faces that rays along `directions` see of the triangles that they hit, shape (k,)."""
         face = self.front[triangle]
-        normal = normals[face]
-        from_behind = np.einsum("kd,kd->k", normal, np.broadcast_to(directions, normal.shape)) > 0
-        return np.where(from_behind, self.back[triangle], face)
+        if not self.doubled.any():
+            return face
+        pair = np.flatnonzero(self.doubled[triangle])
+        normal = normals[face[pair]]
+        along = directions if len(directions) == 1 else directions[pair]
+        from_behind = np.einsum("kd,kd->k", normal, np.broadcast_to(along, normal.shape)) > 0
+        face[pair[from_behind]] = self.back[triangle[pair[from_behind]]]
+        return face
+
+    @cached_property
+    def doubled(self) -> BoolArray:
+        """Triangles that have a twin of the opposite orientation, shape (k,)."""
+        return np.asarray(self.front != self.back)

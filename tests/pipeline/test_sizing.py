@@ -102,7 +102,7 @@ def test_rays_meet_a_scaled_scene_where_they_meet_one_built_anew(block: Path) ->
     rng = np.random.default_rng(0)
     origins = rng.uniform(-20, 20, (200, 3)) + np.array([0, 0, 90])
     for scene in (scaled.scene, scaled.scene.opaque()):
-        hits, wanted = (each.hit(origins, np.array([[0.1, 0.2, -1.0]])) for each in (scene, anew.scene))
+        hits, wanted = (each.hit(origins, np.array([[0.1, 0.2, -1.0]]), bary=True) for each in (scene, anew.scene))
         np.testing.assert_allclose(hits.distance, wanted.distance, atol=1e-9)
         np.testing.assert_allclose(hits.bary, wanted.bary, atol=1e-9)
     np.testing.assert_allclose(scaled.to_card, anew.to_card, atol=1e-12)

@@ -12,7 +12,7 @@ DOWN = np.array([[0.0, 0.0, -1.0]])
 
 def test_hit_gives_distance_face_and_barycentric_coordinates():
     scene = RayScene(surface([[[0, 0, 0], [4, 0, 0], [0, 4, 0]], [[0, 0, -1], [4, 0, -1], [0, 4, -1]]]))
-    hits = scene.hit(np.array([[1.0, 2.0, 7.0], [3.0, 3.0, 7.0]]), DOWN)
+    hits = scene.hit(np.array([[1.0, 2.0, 7.0], [3.0, 3.0, 7.0]]), DOWN, bary=True)
     np.testing.assert_allclose(hits.distance, [7, np.inf])
     np.testing.assert_array_equal(hits.face, [0, -1])
     np.testing.assert_allclose(hits.bary, [[0.25, 0.25, 0.5], [0, 0, 0]], atol=1e-12)
@@ -34,7 +34,7 @@ def test_many_rays_from_inside_a_sphere_meet_it_at_its_radius():
 def test_bary_reconstructs_the_point_hit():
     scene = RayScene(sphere(3.0))
     directions = np.random.default_rng(3).normal(size=(500, 3))
-    hits = scene.hit(np.zeros((500, 3)), directions)
+    hits = scene.hit(np.zeros((500, 3)), directions, bary=True)
     points = np.einsum("kc,kcd->kd", hits.bary, scene.surface.triangles[hits.face])
     expected = directions / np.linalg.norm(directions, axis=1)[:, None] * hits.distance[:, None]
     np.testing.assert_allclose(points, expected, atol=2e-6)  # rays on edges are rounded in float32
@@ -85,6 +85,28 @@ def test_occluded_agrees_with_hit():
     np.testing.assert_array_equal(
         scene.occluded(origins, directions), scene.hit(origins, directions, near=near).face >= 0
     )
+
+
+def test_rays_meet_something_where_they_hit_something():
+    """Also between distances, and through holes."""
+    scene = RayScene(joined(sphere(1.0), upright(0.3, low=(-1, -1), high=(1, 1), colour=[1, 1, 1, 0.2])))
+    rng = np.random.default_rng(4)
+    origins = rng.normal(size=(3000, 3)) * 2
+    near, far = rng.uniform(0, 2, (2, 3000))
+    for ends in ({}, {"near": 0.4, "far": 2.5}, {"near": near, "far": near + far}):
+        for directions in (DOWN, rng.normal(size=(3000, 3))):
+            met = scene.meets(origins, directions, **ends)
+            assert 0.03 < met.mean() < 0.97
+            np.testing.assert_array_equal(met, scene.hit(origins, directions, **ends).face >= 0)
+
+
+def test_where_on_their_faces_rays_end_is_told_on_demand():
+    scene = RayScene(sphere(3.0))
+    directions = np.random.default_rng(5).normal(size=(500, 3))
+    plain, full = (scene.hit(np.zeros((500, 3)), directions, bary=asked) for asked in (False, True))
+    assert plain.bary.shape == (0, 3) and full.bary.shape == (500, 3)
+    np.testing.assert_array_equal(plain.distance, full.distance)
+    np.testing.assert_array_equal(plain.face, full.face)
 
 
 def test_faint_colours_are_holes():
