@@ -33,7 +33,7 @@ ROOMS = {
     "pyrender": {"rendering"},
     "OpenGL": {"rendering"},
     "embreex": {"rendering"},
-    "cv2": {"fitting"},
+    "cv2": {"fitting", "patches", "rendering"},
     "reportlab": {"export"},
     "yaml": {"pipeline"},
     "drawsvg": {"export"},

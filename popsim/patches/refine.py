@@ -5,13 +5,17 @@ pixel is coloured by its own place on that face, which is linear in the picture;
 model looked at again.
 """
 
+from typing import TypeVar
+
 import numpy as np
 
-from popsim.geometry.arrays import BoolArray, FloatArray, UInt8Array
+from popsim.geometry.arrays import BoolArray, FloatArray, IntArray, UInt8Array
 from popsim.patches.sight import Grid, Sight, colours, look
 from popsim.rendering.parallel import map_chunks
 from popsim.rendering.ray_scene import RayScene
 from popsim.rendering.texture import eight_bit
+
+Values = TypeVar("Values", FloatArray, IntArray, BoolArray)
 
 BLOCK = 2
 """Pixels per side of a block."""
@@ -52,62 +56,57 @@ def refined(
 
 def _enlarged(image: UInt8Array) -> UInt8Array:
     """Pixels interpolated between the centres of blocks."""
-    from PIL import Image
+    import cv2
 
     rows, columns = image.shape[:2]
-    size = (columns * BLOCK, rows * BLOCK)
-    return np.array(Image.fromarray(image).resize(size, Image.Resampling.BILINEAR))
+    return np.asarray(cv2.resize(image, (columns * BLOCK, rows * BLOCK), interpolation=cv2.INTER_LINEAR), np.uint8)
 
 
-def _pixels(blocks: FloatArray) -> FloatArray:
+def _pixels(blocks: Values) -> Values:
     """The value of its block for each pixel."""
     return np.repeat(np.repeat(blocks, BLOCK, axis=0), BLOCK, axis=1)
 
 
 def _changing(image: UInt8Array, mask: BoolArray) -> BoolArray:
     """Blocks beside which the colour or what is seen changes, shape (rows, columns)."""
+    import cv2
+
     channels = np.dstack([image, np.where(mask, np.uint8(255), np.uint8(0))])
-    highest, lowest = (_of_neighbours(pick, channels) for pick in (np.maximum, np.minimum))
-    return np.asarray((highest - lowest).max(axis=2) > CONTRAST)
-
-
-def _of_neighbours(pick: np.ufunc, image: UInt8Array) -> UInt8Array:
-    """The greatest or least value among a pixel and its eight neighbours, channel by channel."""
-    for axis in (0, 1):
-        padded = np.pad(image, [(1, 1) if k == axis else (0, 0) for k in range(3)], mode="edge")
-        before, here, after = (np.moveaxis(padded, axis, 0)[k : k + image.shape[axis]] for k in range(3))
-        image = np.moveaxis(pick(pick(before, here), after), 0, axis)
-    return image
+    around = np.ones((3, 3), dtype=np.uint8)
+    spread = cv2.dilate(channels, around) - cv2.erode(channels, around)
+    return np.asarray(spread.max(axis=2) > CONTRAST)
 
 
 def _within_faces(sight: Sight) -> BoolArray:
     """Blocks that see the same face as all their neighbours, shape (rows, columns); none at the rim."""
     face = sight.face.reshape(sight.grid.shape)
     same = np.zeros(face.shape, dtype=bool)
+    across = (face[:, :-2] == face[:, 1:-1]) & (face[:, 2:] == face[:, 1:-1]) & (face[:, 1:-1] >= 0)
     middle = face[1:-1, 1:-1]
-    same[1:-1, 1:-1] = middle >= 0
-    rows, columns = face.shape
-    for row in range(3):
-        for column in range(3):
-            same[1:-1, 1:-1] &= face[row : rows - 2 + row, column : columns - 2 + column] == middle
+    down = (face[:-2, 1:-1] == middle) & (face[2:, 1:-1] == middle)
+    same[1:-1, 1:-1] = across[:-2] & across[1:-1] & across[2:] & down
     return same
 
 
 def _colour_faces(scene: RayScene, sight: Sight, chosen: BoolArray, image: UInt8Array) -> None:
-    """Colour the pixels of blocks that lie within one face; barycentric coordinates go on linearly."""
-    row, column = np.nonzero(chosen)
-    columns = chosen.shape[1]
+    """Colour the pixels of blocks that lie within one face: what colours depend on goes on linearly."""
+    import cv2
+
+    seen = np.flatnonzero(sight.face >= 0)
+    known = scene.paint.places(sight.face[seen], sight.bary[seen])
+    at = np.flatnonzero(_pixels(chosen))
+    places = np.empty((len(at), known.shape[1]), dtype=np.float32)
+    size = (image.shape[1], image.shape[0])
+    for channel in range(known.shape[1]):
+        blocks = np.zeros(chosen.size, dtype=np.float32)
+        blocks[seen] = known[:, channel]
+        enlarged = cv2.resize(blocks.reshape(chosen.shape), size, interpolation=cv2.INTER_LINEAR)
+        places[:, channel] = enlarged.ravel()[at]
+    faces = _pixels(sight.face.reshape(chosen.shape)).ravel()[at]
+    pixels = image.reshape(-1, 3)
 
     def colour(part: slice) -> None:
-        at = row[part] * columns + column[part]
-        face, middle = sight.face[at], sight.bary[at]
-        down = (sight.bary[at + columns] - sight.bary[at - columns]) / 2
-        right = (sight.bary[at + 1] - sight.bary[at - 1]) / 2
-        for i in range(BLOCK):
-            for j in range(BLOCK):
-                offset = [(k + 0.5) / BLOCK - 0.5 for k in (i, j)]
-                place = np.clip(middle + offset[0] * down + offset[1] * right, 0, 1)
-                found = scene.paint.colours(face, place, sight.grid.pixel / BLOCK)[:, :3]
-                image[row[part] * BLOCK + i, column[part] * BLOCK + j] = eight_bit(found)
+        found = scene.paint.at(faces[part], places[part], sight.grid.pixel / BLOCK)
+        pixels[at[part]] = eight_bit(found[:, :3])
 
-    map_chunks(colour, len(row))
+    map_chunks(colour, len(at))

@@ -1,6 +1,5 @@
 """The print of a patch: what it sees of the model, with colours continued to where it sees nothing."""
 
-from io import BytesIO
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -19,8 +18,8 @@ from popsim.rendering.ray_scene import RayScene
 if TYPE_CHECKING:
     from shapely.geometry import Polygon
 
-RUNS = 3
-"""Z_RLE, a strategy of zlib: after the filters of PNG, as small as its search for a third of the time."""
+FAST = 1
+"""Level of zlib; with one filter for all rows, and runs instead of searches, files are small in half the time."""
 
 
 class Print(NamedTuple):
@@ -61,20 +60,26 @@ def frame_of(grid: Grid) -> TextureFrame:
 
 
 def nearest_seen(mask: BoolArray) -> tuple[IntArray, IntArray]:
-    """Row and column of the nearest true pixel of a mask, for each of its pixels."""
-    from scipy.ndimage import distance_transform_edt
+    """Row and column of the nearest true pixel of a mask, nearly, for each of its pixels."""
+    import cv2
 
-    if mask.all():
-        row, column = np.indices(mask.shape)
-    else:
-        row, column = distance_transform_edt(~mask, return_distances=False, return_indices=True)
-    return np.asarray(row, np.int64), np.asarray(column, np.int64)
+    unseen = np.where(mask, np.uint8(0), np.uint8(255))
+    _, labels = cv2.distanceTransformWithLabels(unseen, cv2.DIST_L2, 5, labelType=cv2.DIST_LABEL_PIXEL)
+    place = np.zeros(int(labels.max()) + 1, dtype=np.int64)
+    seen = np.flatnonzero(mask)
+    place[labels.ravel()[seen]] = seen
+    row, column = np.divmod(place[labels], mask.shape[1])
+    return row, column
 
 
 def png(image: UInt8Array) -> bytes:
-    """The same bytes for the same pixels: no time, no text."""
-    from PIL import Image
+    """An image (rows, columns, 3) as a PNG: the same bytes for the same pixels, no time, no text."""
+    import cv2
 
-    stream = BytesIO()
-    Image.fromarray(image).save(stream, format="PNG", compress_level=1, compress_type=RUNS)
-    return stream.getvalue()
+    how = (
+        (cv2.IMWRITE_PNG_COMPRESSION, FAST),
+        (cv2.IMWRITE_PNG_STRATEGY, cv2.IMWRITE_PNG_STRATEGY_RLE),
+        (cv2.IMWRITE_PNG_FILTER, cv2.IMWRITE_PNG_FILTER_PAETH),
+    )
+    _, data = cv2.imencode(".png", cv2.cvtColor(image, cv2.COLOR_RGB2BGR), [word for pair in how for word in pair])
+    return data.tobytes()

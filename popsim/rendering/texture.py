@@ -7,6 +7,8 @@ from popsim.errors import GeometryError
 from popsim.geometry.arrays import BoolArray, FloatArray, UInt8Array
 
 OPAQUE = 0.5  # texels of less alpha are holes
+ROW = 512  # places are looked up in rows of so many
+LONGEST = 16_384  # texels along a side that OpenCV's remap reaches, which counts in 16 bits, with a margin
 
 Colours = npt.NDArray[np.float32]
 
@@ -63,7 +65,9 @@ class Texture:
             self._levels[level] = np.ascontiguousarray(small)
         return self._levels[level]
 
-    def sample(self, uv: FloatArray, one_tile: BoolArray, texels_per_pixel: FloatArray) -> Colours:
+    def sample(
+        self, uv: npt.NDArray[np.float32], one_tile: BoolArray, texels_per_pixel: npt.NDArray[np.float32]
+    ) -> Colours:
         """Return the colours (k, 4) in 0..1 at the texture coordinates `uv` (k, 2).
 
         Parameters
@@ -77,22 +81,46 @@ class Texture:
             How many texels a pixel spans in one direction, shape (k,).
         """
         top = int(np.log2(max(self._image.shape[:2])))
-        level = np.clip(np.rint(np.log2(np.maximum(texels_per_pixel, 1.0))), 0, top).astype(np.int64)
-        used = np.flatnonzero(np.bincount(level))
+        level = np.clip(np.rint(np.log2(np.maximum(texels_per_pixel, 1.0))), 0, top).astype(np.int8)
+        kind = 2 * level + one_tile
+        used = np.flatnonzero(np.bincount(kind))
         if len(used) == 1:
-            return _bilinear(self._level(int(used[0])), uv, one_tile, self._opaque)
+            return self._sampled(int(used[0]) // 2, uv, bool(used[0] % 2))
         colours = np.empty((len(uv), 4), dtype=np.float32)
         for each in used:
-            at = np.flatnonzero(level == each)
-            colours[at] = _bilinear(self._level(int(each)), uv[at], one_tile[at], self._opaque)
+            at = np.flatnonzero(kind == each)
+            colours[at] = self._sampled(int(each) // 2, uv[at], bool(each % 2))
         return colours
 
+    def _sampled(self, level: int, uv: npt.NDArray[np.float32], one_tile: bool) -> Colours:
+        """Colours between the texels of a level."""
+        image = self._level(level)
+        if max(image.shape) > LONGEST or not self._opaque:
+            return _bilinear(image, uv, one_tile, self._opaque)
+        return _opaque_bilinear(image, uv, one_tile)
 
-def _bilinear(image: UInt8Array, uv: FloatArray, one_tile: BoolArray, opaque: bool) -> Colours:
+
+def _opaque_bilinear(image: UInt8Array, uv: npt.NDArray[np.float32], one_tile: bool) -> Colours:
+    """As :func:`_bilinear`, to the nearest of 255 steps, in a fifth of the time."""
+    import cv2
+
+    count, (rows, columns) = len(uv), image.shape[:2]
+    at = np.zeros((2, -(-count // ROW) * ROW), dtype=np.float32)
+    within = uv if one_tile else uv - np.floor(uv)
+    at[0, :count] = within[:, 0] * columns - 0.5
+    at[1, :count] = (1 - within[:, 1]) * rows - 0.5
+    across, down = at.reshape(2, -1, ROW)
+    border = cv2.BORDER_REPLICATE if one_tile else cv2.BORDER_WRAP
+    found = cv2.remap(image, across, down, cv2.INTER_LINEAR, borderMode=border)
+    colours: Colours = found.reshape(-1, 4)[:count] * np.float32(1 / 255)
+    return colours
+
+
+def _bilinear(image: UInt8Array, uv: npt.NDArray[np.float32], one_tile: bool, opaque: bool) -> Colours:
     """Channel after channel: numpy is several times as fast on long rows as on rows of four."""
     rows, columns = image.shape[:2]
     column, column_weight = _neighbours(uv[:, 0], columns, one_tile)
-    row, row_weight = _neighbours(1.0 - uv[:, 1], rows, one_tile)
+    row, row_weight = _neighbours(1 - uv[:, 1], rows, one_tile)
     texels = image.view("<u4").ravel()
     total = np.zeros((4, len(uv)), dtype=np.float32)
     for j in (0, 1):
@@ -111,17 +139,12 @@ def _bilinear(image: UInt8Array, uv: FloatArray, one_tile: BoolArray, opaque: bo
 
 
 def _neighbours(
-    at: FloatArray, count: int, one_tile: BoolArray
+    at: npt.NDArray[np.float32], count: int, one_tile: bool
 ) -> tuple[list[npt.NDArray[np.int32]], list[Colours]]:
     """Return the two texels on either side of `at` (in images), and their weights."""
-    inside = at * count - 0.5
+    inside = at * count - np.float32(0.5)
     low = np.floor(inside)
-    fraction = (inside - low).astype(np.float32)
+    fraction = inside - low
     first = low.astype(np.int32)
-    indices = []
-    for index in (first, first + 1):
-        within = np.clip(index, 0, count - 1)
-        if not one_tile.all():
-            np.copyto(within, index % count, where=~one_tile)
-        indices.append(within)
+    indices = [np.clip(index, 0, count - 1) if one_tile else index % count for index in (first, first + 1)]
     return indices, [1 - fraction, fraction]
