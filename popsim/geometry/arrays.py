@@ -30,7 +30,8 @@ def locked(values: npt.ArrayLike, shape: Sequence[int | None], name: str) -> Flo
     GeometryError
         The shape differs, or a value is not finite.
     """
-    array = np.array(values, dtype=np.float64)
+    array = values if _kept(values) else np.array(values, dtype=np.float64)
+    assert isinstance(array, np.ndarray)  # for the type checker
     fits = array.ndim == len(shape) and all(
         want is None or want == have for want, have in zip(shape, array.shape, strict=False)
     )
@@ -41,6 +42,13 @@ def locked(values: npt.ArrayLike, shape: Sequence[int | None], name: str) -> Flo
         raise GeometryError(f"{name} must be finite numbers; found NaN or infinity")
     array.setflags(write=False)
     return array
+
+
+def _kept(values: npt.ArrayLike) -> bool:
+    """Whether nobody can write into an array any more, so that it need not be copied."""
+    if not isinstance(values, np.ndarray) or values.dtype != np.float64 or values.base is not None:
+        return False
+    return values.flags.c_contiguous and not values.flags.writeable
 
 
 def cross(first: FloatArray, second: FloatArray) -> FloatArray:

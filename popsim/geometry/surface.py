@@ -5,11 +5,13 @@ It is the one type that the mesh door makes, the patches are painted from, and t
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
 from popsim.errors import GeometryError
 from popsim.geometry.arrays import FloatArray, IntArray, UInt8Array, locked
+from popsim.geometry.extent import CHUNK, extent
 
 
 @dataclass(frozen=True, eq=False)
@@ -89,11 +91,35 @@ class Surface:
         """Whether any material carries an image."""
         return any(m.texture is not None for m in self.materials)
 
-    @property
+    @cached_property
     def bounds(self) -> FloatArray:
         """Lowest and highest corner, shape (2, 3)."""
-        corners = self.triangles.reshape(-1, 3)
-        return np.array([corners.min(axis=0), corners.max(axis=0)])
+        return locked(extent(self.triangles.reshape(-1, 3)), (2, 3), "bounds")
+
+    @property
+    def normals(self) -> FloatArray:
+        """Unit normals of the faces by the right-hand rule, shape (m, 3); zero where a face has no area."""
+        return self._faces[0]
+
+    @property
+    def areas(self) -> FloatArray:
+        """Areas of the faces, shape (m,)."""
+        return self._faces[1]
+
+    @cached_property
+    def _faces(self) -> tuple[FloatArray, FloatArray]:
+        normals, areas = np.empty((len(self.triangles), 3)), np.empty(len(self.triangles))
+        for start in range(0, len(areas), CHUNK):
+            part = slice(start, start + CHUNK)
+            corners = np.ascontiguousarray(self.triangles[part].reshape(-1, 9).T)
+            (a, b, c), (d, e, f) = corners[3:6] - corners[:3], corners[6:] - corners[:3]
+            across = np.array([b * f - c * e, c * d - a * f, a * e - b * d])
+            doubled = np.linalg.norm(across, axis=0)
+            normals[part] = np.divide(across, doubled, out=np.zeros_like(across), where=doubled > 0).T
+            areas[part] = doubled / 2
+        for array in (normals, areas):
+            array.setflags(write=False)
+        return normals, areas
 
     def bare(self) -> "Surface":
         """Return the shape alone: no texture, no colours, and nothing transparent."""
@@ -102,7 +128,9 @@ class Surface:
 
     def transformed(self, matrix: FloatArray) -> "Surface":
         """Return the surface moved by the homogeneous `matrix` (4, 4); mirrors swap the corner order."""
-        moved = self.triangles @ matrix[:3, :3].T + matrix[:3, 3]
+        moved = self.triangles @ matrix[:3, :3].T
+        moved += matrix[:3, 3]
+        moved.setflags(write=False)
         uv, colours = self.uv, self.colours
         if np.linalg.det(matrix[:3, :3]) < 0:
             moved, uv = moved[:, ::-1], uv[:, ::-1]

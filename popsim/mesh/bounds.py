@@ -6,6 +6,7 @@ import numpy as np
 
 from popsim.geometry.arrays import FloatArray, IntArray, locked
 from popsim.geometry.cluster import linked
+from popsim.geometry.extent import extent
 from popsim.geometry.surface import Surface
 from popsim.mesh.sampling import Samples
 
@@ -98,15 +99,15 @@ class Body:
 
     def extent(self, direction: FloatArray) -> tuple[float, float]:
         """Return how far it reaches along a direction (3,): least and greatest."""
-        along = self.corners @ direction
-        return float(along.min()), float(along.max())
+        low, high = extent(self.corners, direction[None])[:, 0]
+        return float(low), float(high)
 
     def box(self, rotation: FloatArray) -> RobustBounds:
         """Return its bounding box in the frame whose axes are the rows of `rotation` (3, 3), z up.
 
         Long ends with next to no area, as masts and antennas have, do not count.
         """
-        bounds = np.array([self.extent(axis) for axis in rotation]).T
+        bounds = extent(self.corners, rotation)
         far = [LeftOut(box_of(points @ rotation.T), share, "far") for points, share in self.strays]
         points = self.points @ rotation.T
         ends = []

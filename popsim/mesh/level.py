@@ -10,6 +10,7 @@ from functools import cached_property
 import numpy as np
 
 from popsim.geometry.arrays import FloatArray, locked
+from popsim.geometry.extent import extent
 from popsim.geometry.surface import Surface
 from popsim.mesh.bounds import Body, body_of
 from popsim.mesh.directions import Peak, turned_basis
@@ -85,7 +86,7 @@ def lean(surface: Surface, axis: FloatArray) -> float:
     """
     low, high = _extent(surface, axis)
     areas = face_normals(surface)[1]
-    middle = float(areas @ (surface.triangles.mean(axis=1) @ axis)) / float(areas.sum())
+    middle = float(areas @ (surface.triangles @ axis).mean(axis=1)) / float(areas.sum())
     off = (middle - (low + high) / 2) / max(high - low, 1e-300)
     return off if abs(off) > LEAN else 0.0
 
@@ -102,5 +103,5 @@ def _canonical(surface: Surface, basis: FloatArray) -> FloatArray:
 
 
 def _extent(surface: Surface, axis: FloatArray) -> tuple[float, float]:
-    along = surface.triangles.reshape(-1, 3) @ axis
-    return float(along.min()), float(along.max())
+    low, high = extent(surface.triangles.reshape(-1, 3), axis[None])[:, 0]
+    return float(low), float(high)

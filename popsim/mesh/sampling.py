@@ -68,11 +68,7 @@ class Samples:
 
 def face_normals(surface: Surface) -> tuple[FloatArray, FloatArray]:
     """Return unit normals (m, 3), zero where a face has no area, and areas (m,)."""
-    corners = surface.triangles
-    cross = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    doubled = np.linalg.norm(cross, axis=1)
-    normals = np.divide(cross, doubled[:, None], out=np.zeros_like(cross), where=doubled[:, None] > 0)
-    return normals, doubled / 2
+    return surface.normals, surface.areas
 
 
 def spread(samples: Samples, bounds: FloatArray, count: int, seed: int) -> FloatArray:

@@ -15,6 +15,7 @@ from typing import NamedTuple
 import numpy as np
 
 from popsim.geometry.arrays import FloatArray, locked
+from popsim.geometry.extent import extent
 from popsim.geometry.surface import Surface
 from popsim.mesh.axes import ASKEW, UP_AXES, axis_name, direction_of
 from popsim.mesh.directions import axes_about, axis_share, inertia_axes, principal_axes
@@ -182,8 +183,7 @@ def _evidence(
     surface: Surface, samples: Samples, search: MirrorSearch, axes: FloatArray, *, on_axes: bool
 ) -> list[Evidence]:
     """Evidence for the six directions of `axes`, in the order of :func:`_signed`."""
-    corners = surface.triangles.reshape(-1, 3) @ axes.T
-    low, high = corners.min(axis=0), corners.max(axis=0)
+    low, high = extent(surface.triangles.reshape(-1, 3), axes)
     mirror = np.array([search.best_plane(axes[k], (low[k], high[k])).score for k in range(3)])
     points = (samples.points @ axes.T - low) / np.maximum(high - low, 1e-300)
     centre = (samples.area @ points) / samples.area.sum()

@@ -103,8 +103,9 @@ class RayScene:
         self._centre = (low + high) / 2
         self.size: float = max(float(np.linalg.norm(high - low)) / 2, SMALLEST)
         self.tolerance = TOLERANCE * self.size
-        self._planes = FacePlanes.of(surface.triangles - self._centre)
-        self._twins = TwinFaces.of(corner_numbers(surface.triangles), self.normals, self.paint.holed)
+        self._planes = FacePlanes.of(surface, self._centre)
+        self._numbers = corner_numbers(surface.triangles).astype(np.int32)
+        self._twins = TwinFaces.of(self._numbers, self.normals, self.paint.holed)
         self._embree, self._mesh = self._build()
 
     @property
@@ -117,8 +118,11 @@ class RayScene:
         from embreex.rtcore_scene import EmbreeScene
 
         scene = EmbreeScene(robust=True)
-        corners = self._planes.corners[self._twins.front] * (RADIUS / self.size)
-        mesh = TriangleMesh(scene, np.ascontiguousarray(corners, dtype=np.float32))
+        points = np.empty((int(self._numbers.max()) + 1, 3))
+        points[self._numbers.ravel()] = self.surface.triangles.reshape(-1, 3)
+        points -= self._centre
+        points *= RADIUS / self.size
+        mesh = TriangleMesh(scene, points.astype(np.float32), self._numbers[self._twins.front])
         nowhere = np.zeros((1, 3), dtype=np.float32)
         scene.run(nowhere, nowhere + 1)  # builds the tree now, before threads share it
         return scene, mesh
@@ -133,7 +137,7 @@ class RayScene:
         other = self._sharing(self.surface.transformed(grow))
         other._centre = self._centre * factor
         other.size, other.tolerance = self.size * factor, self.tolerance * factor
-        other._planes = self._planes.scaled(factor)
+        other._planes = self._planes.scaled(factor, other.surface.triangles)
         return other
 
     def _sharing(self, surface: Surface) -> "RayScene":
@@ -145,7 +149,7 @@ class RayScene:
     @cached_property
     def corner_normals(self) -> npt.NDArray[np.float32]:
         """Normals for shading, smooth over flat joints, shape (m, 3, 3)."""
-        return smooth_normals(self.surface.triangles, self.normals)
+        return smooth_normals(self.surface, self._numbers)
 
     def shading_normals(self, face: IntArray, bary: FloatArray, directions: FloatArray) -> npt.NDArray[np.float32]:
         """Return unit normals for shading, shape (k, 3), on the side that rays along `directions` meet."""
