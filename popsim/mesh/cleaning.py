@@ -5,7 +5,8 @@ from pathlib import Path
 import numpy as np
 
 from popsim.errors import MeshError
-from popsim.geometry.arrays import BoolArray, FloatArray
+from popsim.geometry.arrays import BoolArray, FloatArray, cross
+from popsim.geometry.extent import CHUNK, extent
 
 FLATNESS = 1e-10
 """A triangle whose doubled area is below this part of its longest edge squared is a line in float64."""
@@ -37,35 +38,36 @@ def usable_triangles(corners: FloatArray, path: Path) -> tuple[BoolArray, list[s
     """
     if not len(corners):
         raise MeshError(f"{path.name}: no faces found; a pop-up needs a surface, not points or lines")
-    finite = np.asarray(np.isfinite(corners).all(axis=(1, 2)))
+    finite = np.asarray(np.isfinite(corners.reshape(-1, 9)).all(axis=1))
     if not finite.any():
         raise MeshError(f"{path.name}: all {len(corners)} faces have coordinates that are not numbers")
-    low, high = corners[finite].min(axis=(0, 1)), corners[finite].max(axis=(0, 1))
+    whole = corners if finite.all() else corners[finite]
+    low, high = extent(whole.reshape(-1, 3))
     with np.errstate(over="ignore"):
         size = float((high - low).max())
     if not np.isfinite(size):
         raise MeshError(f"{path.name}: coordinates reach {np.abs([low, high]).max():.3g}, too far for arithmetic")
     if size == 0.0:
         raise MeshError(f"{path.name}: all points of its faces coincide; a pop-up needs a surface")
-    unit = (corners if finite.all() else corners[finite]) - low
-    unit /= size
     keep = finite.copy()
-    doubled, has_area = _areas(unit)
+    doubled, has_area = _areas(whole, low, size)
     keep[finite] = has_area
-    if not keep.any() or (doubled.max() <= LINE and _on_a_line(unit[has_area])):
+    if not keep.any() or (doubled.max() <= LINE and _on_a_line((whole[has_area] - low) / size)):
         raise MeshError(f"{path.name}: all points of its faces lie on one line; a pop-up needs a surface")
     return keep, _notes(int((~finite).sum()), int((finite & ~keep).sum()))
 
 
-def _areas(unit_corners: FloatArray) -> tuple[FloatArray, BoolArray]:
-    """Return the doubled area of each triangle (m,), and whether it is one, and not a line."""
-    first = unit_corners[:, 1] - unit_corners[:, 0]
-    second = unit_corners[:, 2] - unit_corners[:, 0]
-    doubled = np.linalg.norm(np.cross(first, second), axis=1)
-    longest = np.maximum(np.square(first).sum(axis=1), np.square(second).sum(axis=1))
-    second -= first
-    longest = np.maximum(longest, np.square(second).sum(axis=1))
-    return doubled, doubled > FLATNESS * longest
+def _areas(corners: FloatArray, low: FloatArray, size: float) -> tuple[FloatArray, BoolArray]:
+    """Return the doubled area of each triangle (m,) in units of `size`, and whether it is one, and not a line."""
+    doubled, has_area = np.empty(len(corners)), np.empty(len(corners), dtype=bool)
+    for start in range(0, len(corners), CHUNK):
+        part = slice(start, start + CHUNK)
+        unit = (corners[part] - low) / size
+        first, second = unit[:, 1] - unit[:, 0], unit[:, 2] - unit[:, 0]
+        doubled[part] = np.linalg.norm(cross(first, second), axis=1)
+        longest = np.max([np.square(edge).sum(axis=1) for edge in (first, second, second - first)], axis=0)
+        has_area[part] = doubled[part] > FLATNESS * longest
+    return doubled, has_area
 
 
 def _on_a_line(unit_corners: FloatArray) -> bool:

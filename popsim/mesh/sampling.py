@@ -12,6 +12,7 @@ import numpy as np
 
 from popsim.errors import GeometryError
 from popsim.geometry.arrays import FloatArray, IntArray, locked
+from popsim.geometry.extent import CHUNK
 from popsim.geometry.surface import Surface
 
 PROBES_PER_CELL = 32
@@ -129,8 +130,12 @@ def _probes(corners: FloatArray, areas: FloatArray, spacing: float) -> tuple[Int
 
 
 def _longest_edges(corners: FloatArray) -> FloatArray:
-    squares = [np.square(corners[:, k] - corners[:, k - 1]).sum(axis=1) for k in range(3)]
-    return np.asarray(np.sqrt(np.maximum(np.maximum(squares[0], squares[1]), squares[2])))
+    longest = np.empty(len(corners))
+    for start in range(0, len(corners), CHUNK):
+        part = corners[start : start + CHUNK]
+        squares = [np.square(part[:, k] - part[:, k - 1]).sum(axis=1) for k in range(3)]
+        longest[start : start + CHUNK] = np.max(squares, axis=0)
+    return np.sqrt(longest, out=longest)
 
 
 def _strata(corners: FloatArray, counts: IntArray) -> tuple[IntArray, FloatArray]:

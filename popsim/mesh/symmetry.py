@@ -7,6 +7,10 @@ import numpy as np
 from popsim.geometry.arrays import FloatArray, IntArray
 from popsim.mesh.sampling import Samples
 
+Partners = tuple[IntArray, FloatArray, FloatArray]
+
+WORKERS = 2
+"""Threads that look for neighbours; the answer is the same with any number."""
 NEIGHBOURS = 8
 """Samples near a mirrored one that may be its partner."""
 REFINEMENTS = 3
@@ -52,6 +56,7 @@ class MirrorSearch:
         self._samples = samples
         self._tree = cKDTree(samples.points)
         self._weight = samples.area / samples.area.sum()
+        self._known: dict[tuple[bytes, float], Partners] = {}
 
     def score(self, normal: FloatArray, offset: float) -> float:
         """Return the area share, 0..1, that finds a partner across the plane."""
@@ -91,7 +96,14 @@ class MirrorSearch:
                 best, best_score, needed = offset, score, score
         return MirrorPlane(normal, best, best_score, bool(abs(best - middle) <= tolerance))
 
-    def _partners(self, normal: FloatArray, offset: float) -> tuple[IntArray, FloatArray, FloatArray]:
+    def _partners(self, normal: FloatArray, offset: float) -> Partners:
+        """As :meth:`_found`; planes are asked about more than once."""
+        key = normal.tobytes(), offset
+        if key not in self._known:
+            self._known[key] = self._found(normal, offset)
+        return self._known[key]
+
+    def _found(self, normal: FloatArray, offset: float) -> Partners:
         """Return of each sample the partner, how well it fits (0..1), and its distance off the partner's face.
 
         A partner lies within 1.5 spacings, faces the same way up to sign, and its face passes near by.
@@ -100,7 +112,7 @@ class MirrorSearch:
         image = points - 2 * (points @ normal - offset)[:, None] * normal
         facing = normals - 2 * (normals @ normal)[:, None] * normal
         count = min(NEIGHBOURS, len(points))
-        distance, index = self._tree.query(image, k=count, distance_upper_bound=1.5 * spacing)
+        distance, index = self._tree.query(image, k=count, distance_upper_bound=1.5 * spacing, workers=WORKERS)
         distance, index = distance.reshape(-1, count), index.reshape(-1, count)
         found = np.isfinite(distance)
         index = np.where(found, index, 0)
