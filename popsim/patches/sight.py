@@ -8,8 +8,8 @@ import numpy as np
 from popsim.geometry.arrays import BoolArray, FloatArray, IntArray, UInt8Array
 from popsim.geometry.plane import Plane
 from popsim.geometry.raster import covered
-from popsim.rendering.edges import feature_edges
-from popsim.rendering.light import Light, facing
+from popsim.rendering.edges import face_edges
+from popsim.rendering.light import Light
 from popsim.rendering.parallel import map_chunks
 from popsim.rendering.ray_scene import RayScene
 from popsim.rendering.texture import Colours, eight_bit
@@ -202,17 +202,10 @@ def lines(scene: RayScene, sight: Sight) -> BoolArray:
 
     Outlines are the edges of the paper.
     """
-    grid = sight.grid
-    eye = grid.plane.normal
-    seen = np.flatnonzero(sight.face >= 0)
-    normal, point = (np.zeros((len(sight.face), 3), dtype=np.float32) for _ in range(2))
-    normal[seen] = facing(scene.normals.astype(np.float32)[sight.face[seen]], -eye)
-    point[seen] = grid.points(seen) - sight.depth.ravel()[seen, None] * eye
-    shape = (*grid.shape, 3)
+    grid, plane = sight.grid, sight.grid.plane
+    axes = np.array([plane.u, plane.v, plane.normal])
     width = max(1, round(LINE_WIDTH / grid.pixel))
-    return feature_edges(
-        sight.mask, normal.reshape(shape), point.reshape(shape), grid.pixel, width, outlines=False
-    )
+    return face_edges(sight.face.reshape(grid.shape), sight.depth, scene.normals, axes, grid.pixel, width)
 
 
 LINE_WIDTH = 0.25

@@ -3,7 +3,7 @@
 import numpy as np
 import numpy.typing as npt
 
-from popsim.geometry.arrays import BoolArray
+from popsim.geometry.arrays import BoolArray, FloatArray, IntArray
 
 Image = npt.NDArray[np.float32]
 
@@ -46,6 +46,45 @@ def feature_edges(
         lines[one] |= edge
         lines[two] |= outline
     return _widened(lines & mask, width) & mask
+
+
+def face_edges(
+    face: IntArray, depth: FloatArray, normals: FloatArray, axes: FloatArray, pixel: float, width: int
+) -> BoolArray:
+    """The same lines in a parallel view, without outlines, looked for only where two faces meet.
+
+    Parameters
+    ----------
+    face:
+        What each pixel sees, -1 where nothing, shape (h, w).
+    depth:
+        How far away, shape (h, w).
+    normals:
+        Unit normals of all faces, to either side, shape (m, 3).
+    axes:
+        Directions to the right, up and to the eye, as rows, shape (3, 3).
+    pixel:
+        Side of a pixel, in the unit of the depth.
+    width:
+        Width of the lines in pixels.
+    """
+    right, up, eye = axes
+    lines = np.zeros(face.shape, dtype=bool)
+    for axis, along in ((0, -up), (1, right)):
+        one, two = _neighbours(axis)
+        first, second = face[one], face[two]
+        row, column = np.nonzero((first != second) & (first >= 0) & (second >= 0))
+        apart = pixel * along - (depth[two][row, column] - depth[one][row, column])[:, None] * eye
+        near, far = (_to_eye(normals[each[row, column]], eye) for each in (first, second))
+        turn = np.einsum("kd,kd->k", near, far) < CREASE
+        leaves = [np.abs(np.einsum("kd,kd->k", each, apart)) for each in (near, far)]
+        edge = turn | (np.minimum(*leaves) > STEP * pixel)
+        lines[one][row[edge], column[edge]] = True
+    return _widened(lines, width) & (face >= 0)
+
+
+def _to_eye(normals: FloatArray, eye: FloatArray) -> FloatArray:
+    return normals * np.where(normals @ eye < 0, -1.0, 1.0)[:, None]
 
 
 def _neighbours(axis: int) -> tuple[tuple[slice, ...], tuple[slice, ...]]:
