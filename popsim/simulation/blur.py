@@ -3,7 +3,6 @@
 import numpy as np
 
 from popsim.geometry.arrays import FloatArray, IntArray
-from popsim.simulation.jacobian import LoopJacobian
 from popsim.simulation.rig import Rig
 from popsim.simulation.stability import SINGULAR
 from popsim.simulation.sweep import Sweep
@@ -16,8 +15,7 @@ def blur(rig: Rig, sweep: Sweep, frames: IntArray) -> FloatArray:
     near the closed card: of one of 2 mm by 108 mm, at one degree, a plate that is off by 0.04 mm opens its loops
     by no more than 0.00002 mm.
     """
-    jacobian = LoopJacobian(rig.design, rig.forest)
     poses = sweep.poses[frames]
-    _, stiffness = jacobian.nullity(poses, SINGULAR)
-    gaps = np.linalg.norm(jacobian.residual(poses), axis=(1, 2))
+    _, stiffness = rig.jacobian.nullity(poses, SINGULAR)
+    gaps = np.linalg.norm(rig.jacobian.residual(poses), axis=(1, 2))
     return np.asarray(gaps / stiffness)

@@ -1,11 +1,15 @@
 """Pairs of patches that may cross, found by boxes and planes before any exact test."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
 
-from popsim.geometry.arrays import BoolArray, FloatArray, IntArray
+from popsim.geometry.arrays import BoolArray, IntArray
 from popsim.simulation.sweep import Sweep
+
+AT_ONCE = 2_000_000
+"""Heights of corners over planes that are worked out together."""
 
 
 @dataclass(frozen=True)
@@ -22,55 +26,62 @@ def candidate_pairs(sweep: Sweep, frames: IntArray, least: float) -> list[Candid
     Each must have corners on both sides of the plane of the other, farther than `least`, and their boxes must
     overlap. Pairs that share a hinge line are left out.
     """
-    places = sweep.places[frames]
-    low, high = sweep.corners.least(places), sweep.corners.greatest(places)
-    through = _Straddling(sweep, frames, places, least)
-    joined = sweep.touching
-    least_low, most_high = low.min(axis=0), high.max(axis=0)
+    bodies = _Bodies(sweep, frames, least)
     found = []
-    for first in range(len(sweep.design.patches)):
-        around = (least_low <= most_high[first]) & (most_high >= least_low[first])
-        others = np.flatnonzero(around.all(axis=-1) & ~joined[first]).astype(np.int64)
-        others = others[others > first]
-        near = _boxes_meet(low, high, first, others)
-        others, near = others[near.any(axis=0)], near[:, near.any(axis=0)]
-        if not len(others):
-            continue
-        mask = near & through.plane_of(first, others)
-        for column in np.flatnonzero(mask.any(axis=0)):
-            second = int(others[column])
-            both = mask[:, column] & through.plane_of(second, np.array([first]))[:, 0]
-            if both.any():
-                found.append(Candidate((first, second), tuple(frames[both].tolist())))
+    for block in bodies.blocks():
+        others = np.flatnonzero(bodies.around(block).any(axis=0))
+        mask = bodies.meet(block, others) & bodies.straddle(block, others)
+        mask &= np.swapaxes(bodies.straddle(others, block), 1, 2) & bodies.around(block)[:, others]
+        for row, column in np.argwhere(mask.any(axis=0)).tolist():
+            pair = int(block[row]), int(others[column])
+            found.append(Candidate(pair, tuple(frames[mask[:, row, column]].tolist())))
     return found
 
 
-class _Straddling:
-    """Whether patches have corners on both sides of another patch's plane."""
+class _Bodies:
+    """Corners, boxes and planes of all patches at some angles (n); `patches` and `others` are positions (k,)."""
 
-    def __init__(self, sweep: Sweep, frames: IntArray, places: FloatArray, least: float) -> None:
-        self._corners = places
+    def __init__(self, sweep: Sweep, frames: IntArray, least: float) -> None:
+        self._corners = sweep.places[frames]
+        self._low, self._high = sweep.corners.least(self._corners), sweep.corners.greatest(self._corners)
+        self._swept = self._low.min(axis=0), self._high.max(axis=0)
+        self._apart = ~sweep.touching
         self._spans = sweep.corners.spans
-        self._numbers = np.arange(places.shape[1])
         self._least = least
-        patches = sweep.design.patches
         turns = sweep.poses[frames][..., :3, :3]
-        self._normals = (turns @ np.array([patch.plane.normal for patch in patches])[..., None])[..., 0]
-        self._origins = places[:, [span.start for span in self._spans]]
+        self._normals = (turns @ np.array([patch.plane.normal for patch in sweep.design.patches])[..., None])[
+            ..., 0
+        ]
+        self._origins = self._corners[:, [span.start for span in self._spans]]
 
-    def plane_of(self, patch: int, others: IntArray) -> BoolArray:
-        """For each angle, which of `others` straddle the plane of `patch`, shape (n, k)."""
-        picked = [self._numbers[self._spans[k]] for k in others]
-        starts = np.cumsum([0, *(len(corners) for corners in picked[:-1])])
-        away = self._corners[:, np.concatenate(picked)] - self._origins[:, patch, None]
-        height = (away @ self._normals[:, patch, :, None])[..., 0]
-        below = np.minimum.reduceat(height, starts, axis=1) < -self._least
-        above = np.maximum.reduceat(height, starts, axis=1) > self._least
+    def blocks(self) -> Iterator[IntArray]:
+        """The patches in turns, as many at a time as memory likes."""
+        size = max(1, AT_ONCE // max(1, self._corners.shape[0] * self._corners.shape[1]))
+        for start in range(0, len(self._spans), size):
+            yield np.arange(start, min(start + size, len(self._spans)))
+
+    def around(self, patches: IntArray) -> BoolArray:
+        """Which patches that come later in the design sweep through the same space, shape (k, p)."""
+        (low, high), later = self._swept, np.arange(len(self._spans)) > patches[:, None]
+        meet = (low <= high[patches, None]) & (high >= low[patches, None])
+        return np.asarray(meet.all(axis=-1) & later & self._apart[patches])
+
+    def meet(self, patches: IntArray, others: IntArray) -> BoolArray:
+        """Whose boxes overlap at each angle, shape (n, k, m)."""
+        ahead = self._low[:, None, others] <= self._high[:, patches, None]
+        behind = self._high[:, None, others] >= self._low[:, patches, None]
+        return np.asarray((ahead & behind).all(axis=-1))
+
+    def straddle(self, patches: IntArray, others: IntArray) -> BoolArray:
+        """Which `others` have corners on both sides of the planes of `patches` at each angle, shape (n, k, m)."""
+        spans = [self._spans[other] for other in others]
+        if not spans or not len(patches):
+            return np.zeros((len(self._corners), len(patches), len(spans)), dtype=bool)
+        starts = np.cumsum([0, *(span.stop - span.start for span in spans[:-1])])
+        corners = self._corners[:, np.concatenate([np.arange(span.start, span.stop) for span in spans])]
+        normals = self._normals[:, patches]
+        height = normals @ np.swapaxes(corners, 1, 2)
+        height -= (normals * self._origins[:, patches]).sum(axis=-1)[..., None]
+        below = np.minimum.reduceat(height, starts, axis=2) < -self._least
+        above = np.maximum.reduceat(height, starts, axis=2) > self._least
         return np.asarray(below & above)
-
-
-def _boxes_meet(low: FloatArray, high: FloatArray, first: int, others: IntArray) -> BoolArray:
-    """For each angle, whose box meets the box of `first`, shape (n, k)."""
-    ahead = low[:, others] <= high[:, first, None]
-    behind = high[:, others] >= low[:, first, None]
-    return np.asarray((ahead & behind).all(axis=-1))

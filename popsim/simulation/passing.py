@@ -8,7 +8,7 @@ from popsim.geometry.arrays import FloatArray, IntArray
 from popsim.geometry.plane import line_distance
 from popsim.simulation.contact import Depths
 from popsim.simulation.sweep import Sweep
-from popsim.simulation.turning import Turn, turnings
+from popsim.simulation.turning import Turn
 
 
 def find_passing(sweep: Sweep, frames: IntArray, turns: Sequence[Turn], tolerance: float) -> Depths:
@@ -24,9 +24,7 @@ def passing_depths(sweep: Sweep, turns: Sequence[Turn]) -> FloatArray:
     """How far the two patches of each hinge have passed each other at the far edge, at each angle, mm, (n, h)."""
     if not turns:
         return np.zeros((len(sweep.theta), 0))
-    hinges = [turn.hinge for turn in turns]
-    first, second = (sweep.poses[:, [sweep.index[hinge.patches[side]] for hinge in hinges]] for side in (0, 1))
-    angle = turnings(hinges, first, second)
+    angle = np.stack([sweep.turning[turn.hinge.id] for turn in turns], axis=1)
     lower, upper = np.array([[turn.lower, turn.upper] for turn in turns]).T
     over: FloatArray = np.clip(np.maximum(lower - angle, angle - upper), 0.0, np.pi / 2)
     depths = np.zeros(over.shape)

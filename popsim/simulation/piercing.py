@@ -4,6 +4,8 @@ The two patches of a fold may each touch a third one with the fold alone, one fr
 it, and together they do. Folds in the bisecting plane and the backbones in it meet like that.
 """
 
+from collections.abc import Iterator
+
 import numpy as np
 
 from popsim.design import Patch
@@ -14,6 +16,9 @@ from popsim.simulation.sweep import Sweep
 
 IN_PLANE = 1e-3
 """mm; a fold nearer than this to a plane lies in it. Folds farther off cross with one of their patches."""
+
+AT_ONCE = 1_000_000
+"""Coordinates of ends of folds that are held against planes together."""
 
 SAMPLES = 17
 """Places along a fold where it is looked at, ends included."""
@@ -26,15 +31,16 @@ def find_piercings(sweep: Sweep, frames: IntArray, tolerance: float, play: float
     """
     folds = _Folds(sweep, frames, max(IN_PLANE, min(play, tolerance)), tolerance)
     found: Depths = {}
-    for place, patch in enumerate(sweep.design.patches):
-        rows, columns = folds.through_plane_of(place)
-        if not len(rows):
-            continue
-        depths = _depths(patch, sweep.poses[frames[rows], place], folds.axes[rows, columns])
-        for row, column, depth in zip(rows.tolist(), columns.tolist(), depths.tolist(), strict=True):
-            if depth > tolerance:
-                pair = (folds.hinges[column].patches[0], patch.id)
-                found.setdefault(pair, {})[int(frames[row])] = depth
+    for block in folds.blocks():
+        rows, places, columns = folds.through_planes_of(block)
+        for place in np.unique(places).tolist():
+            here = places == place
+            patch, angles = sweep.design.patches[place], frames[rows[here]]
+            depths = _depths(patch, sweep.poses[angles, place], folds.axes[rows[here], columns[here]])
+            for angle, column, depth in zip(angles.tolist(), columns[here].tolist(), depths.tolist(), strict=True):
+                if depth > tolerance:
+                    pair = (folds.hinges[column].patches[0], patch.id)
+                    found.setdefault(pair, {})[angle] = depth
     return found
 
 
@@ -45,7 +51,7 @@ class _Folds:
     """
 
     def __init__(self, sweep: Sweep, frames: IntArray, near: float, far: float) -> None:
-        self._sweep, self._frames, self._near, self._far = sweep, frames, near, far
+        self._sweep, self._near, self._far = sweep, near, far
         self.hinges = [hinge for hinge in sweep.design.hinges if hinge.kind != "central"]
         self._wings = np.array(
             [[sweep.index[name] for name in hinge.patches] for hinge in self.hinges], dtype=np.int64
@@ -56,38 +62,55 @@ class _Folds:
         self._low, self._high = self.axes.min(axis=2), self.axes.max(axis=2)
         self._swept = self._low.min(axis=0, initial=np.inf), self._high.max(axis=0, initial=-np.inf)
         self._joined = sweep.touching
+        self._spans = sweep.corners.spans
+        self._boxes = (
+            sweep.corners.least(self._places) - self._near,
+            sweep.corners.greatest(self._places) + self._near,
+        )
+        normals = np.array([patch.plane.normal for patch in sweep.design.patches])
+        self._normals = (sweep.poses[frames][..., :3, :3] @ normals[..., None])[..., 0]
+        self._origins = self._places[:, [span.start for span in self._spans]]
 
-    def through_plane_of(self, place: int) -> tuple[IntArray, IntArray]:
-        """Angles and folds, shape (k,) each, where the fold lies in the plane of a patch between its own two.
+    def blocks(self) -> Iterator[IntArray]:
+        """Positions of the patches in turns, as many at a time as memory likes."""
+        count, size = len(self._spans), max(1, AT_ONCE // max(1, self.axes.size))
+        for start in range(0, count, size):
+            yield np.arange(start, min(start + size, count))
 
-        Boxes of fold and patch meet there. Folds of patches that share a hinge line with the patch are left out:
-        they meet its plane there alone.
+    def through_planes_of(self, block: IntArray) -> tuple[IntArray, IntArray, IntArray]:
+        """Angles, patches of a block (b,) and folds, shape (k,) each, where the fold lies in the patch's plane.
+
+        With its own two patches on either side of that, and where boxes of fold and patch meet. Folds of patches
+        that share a hinge line with the patch are left out: they meet its plane there alone.
         """
-        corners = self._places[:, self._sweep.corners.spans[place]]
-        low, high = corners.min(axis=1) - self._near, corners.max(axis=1) + self._near
-        around = (self._swept[0] <= high.max(axis=0)) & (self._swept[1] >= low.min(axis=0))
-        picked = np.flatnonzero(around.all(axis=-1) & ~self._joined[place, self._wings[:, 0]])
-        meet = (self._low[:, picked] <= high[:, None]) & (self._high[:, picked] >= low[:, None])
-        rows, columns = np.nonzero(meet.all(axis=-1))
-        columns = picked[columns]
-        normals = self._sweep.poses[self._frames, place, :3, :3] @ self._sweep.design.patches[place].plane.normal
-        away = self.axes[rows, columns] - corners[rows, :1]
-        flat = (np.abs(away @ normals[rows, :, None])[..., 0] < self._near).all(axis=-1)
-        rows, columns = rows[flat], columns[flat]
-        if not len(rows):
-            return rows, columns
-        sides = self._sides(np.unique(rows), corners[:, 0], normals)
-        between = (sides[rows, self._wings[columns, 0]] * sides[rows, self._wings[columns, 1]]) < 0
-        return rows[between], columns[between]
+        low, high = self._boxes[0].min(axis=0)[block, None], self._boxes[1].max(axis=0)[block, None]
+        around = ((self._swept[0] <= high) & (self._swept[1] >= low)).all(axis=-1)
+        places, columns = np.nonzero(around & ~self._joined[block][:, self._wings[:, 0]])
+        places = block[places]
+        away = self.axes[:, columns] - self._origins[:, places, None]
+        flat = (np.abs(away @ self._normals[:, places, :, None])[..., 0] < self._near).all(axis=-1)
+        rows, pairs = np.nonzero(flat)
+        places, columns = places[pairs], columns[pairs]
+        meet = (self._low[rows, columns] <= self._boxes[1][rows, places]) & (
+            self._high[rows, columns] >= self._boxes[0][rows, places]
+        )
+        between = meet.all(axis=-1)
+        for place in np.unique(places[between]).tolist():
+            here = np.flatnonzero(between & (places == place))
+            sides = self._sides(np.unique(rows[here]), place)
+            first, second = (sides[rows[here], self._wings[columns[here], side]] for side in (0, 1))
+            between[here] = first * second < 0
+        return rows[between], places[between], columns[between]
 
-    def _sides(self, rows: IntArray, origins: FloatArray, normals: FloatArray) -> IntArray:
-        """Before (1) or behind (-1) a plane at each angle lies each patch, or neither (0), shape (k, p).
+    def _sides(self, rows: IntArray, place: int) -> IntArray:
+        """Before (1) or behind (-1) the plane of a patch at each angle lies each patch, or neither (0), (k, p).
 
         Only asked at angles `rows`; 0 elsewhere.
         """
-        height = ((self._places[rows] - origins[rows, None]) @ normals[rows, :, None])[..., 0]
+        away = self._places[rows] - self._origins[rows, place, None]
+        height = (away @ self._normals[rows, place, :, None])[..., 0]
         low, high = self._sweep.corners.least(height), self._sweep.corners.greatest(height)
-        sides = np.zeros((len(self._frames), low.shape[1]), dtype=np.int64)
+        sides = np.zeros((len(self._places), low.shape[1]), dtype=np.int64)
         sides[rows] = ((high > self._far) & (low > -self._near)).astype(np.int64)
         sides[rows] -= (low < -self._far) & (high < self._near)
         return sides

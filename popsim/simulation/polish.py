@@ -14,7 +14,7 @@ import numpy as np
 
 from popsim.geometry.arrays import FloatArray, IntArray
 from popsim.simulation.gaps import loop_gaps
-from popsim.simulation.jacobian import Group, LoopJacobian
+from popsim.simulation.jacobian import Group
 from popsim.simulation.kinematics import chain_poses
 from popsim.simulation.rig import Rig
 from popsim.simulation.sweep import Sweep
@@ -77,8 +77,7 @@ def _polished(rig: Rig, sweep: Sweep, before: FloatArray, frames: IntArray) -> S
     if not len(frames):
         return sweep
     theta = sweep.theta[frames]
-    angles = _improve(rig, theta, sweep.states[frames][:, rig.joint_order])
-    poses = chain_poses(rig, theta, angles)
+    angles, poses = _improve(rig, theta, sweep.states[frames][:, rig.joint_order], sweep.poses[frames])
     after = loop_gaps(replace(sweep, theta=theta, poses=poses), rig.forest.loops).by_angle
     better = after < np.where(before[frames] < NEAR, before[frames], CLOSED * rig.scale)
     all_poses, states = sweep.poses.copy(), sweep.states.copy()
@@ -87,24 +86,29 @@ def _polished(rig: Rig, sweep: Sweep, before: FloatArray, frames: IntArray) -> S
     return replace(sweep, poses=all_poses, states=states)
 
 
-def _improve(rig: Rig, theta: FloatArray, angles: FloatArray) -> FloatArray:
-    """Joint angles with the loops closed, or the best that were found, shape (n, j).
+def _improve(
+    rig: Rig, theta: FloatArray, angles: FloatArray, started: FloatArray
+) -> tuple[FloatArray, FloatArray]:
+    """Joint angles (n, j) with the loops closed, or the best that were found, and their poses (n, p, 4, 4).
 
-    Each group of loops goes its own way: its gap answers to its own joints alone.
+    `started` are those of the angles that are given. Each group of loops goes its own way: its gap answers to its
+    own joints alone.
     """
-    jacobian = LoopJacobian(rig.design, rig.forest)
+    jacobian = rig.jacobian
     axes = np.array([joint.hinge.points[1] - joint.hinge.points[0] for joint in rig.forest.joints])
     scale = np.sign((axes * rig.joint_axes).sum(axis=1)) / jacobian.reach
     search = _Search(angles, [group for group in jacobian.groups if group.loops], DONE * rig.scale)
+    best = started.copy()
     for number in range(STEPS):
         frames = search.frames
         if not len(frames):
             break
-        poses = chain_poses(rig, theta[frames], search.tried[frames])
+        poses = chain_poses(rig, theta[frames], search.tried[frames]) if number else best[frames]
         residual = jacobian.residual(poses)
         undone = search.take(frames, residual)
         poses[undone] = chain_poses(rig, theta[frames[undone]], search.tried[frames[undone]])
         residual[undone] = jacobian.residual(poses[undone])
+        best[frames] = poses
         if number % PATIENCE == 0:
             search.give_up()
         for rows, place, group in search.open_groups(frames):
@@ -112,7 +116,7 @@ def _improve(rig: Rig, theta: FloatArray, angles: FloatArray) -> FloatArray:
             step = _step(matrix, gap.reshape(len(rows), -1), search.caution[frames[rows], place] / rig.scale)
             search.tried[frames[rows, None], group.columns] += step * scale[group.columns]
         search.tried = np.clip(search.tried, *rig.joint_limits)
-    return search.best
+    return search.best, best
 
 
 class _Search:

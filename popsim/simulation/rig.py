@@ -1,7 +1,8 @@
 """A design hung on its two pages in MuJoCo."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -11,9 +12,10 @@ from popsim.geometry.arrays import FloatArray, cross
 from popsim.geometry.frame import OPEN
 from popsim.simulation.engine import load_mujoco
 from popsim.simulation.forest import PAGES, Forest, spanning_forest
+from popsim.simulation.jacobian import LoopJacobian
 from popsim.simulation.mjcf import Recipe, size_of, write_mjcf
 from popsim.simulation.solver import Pacing
-from popsim.simulation.turning import free_turns
+from popsim.simulation.turning import Turn, turns_of
 
 PRESSING = 3e5
 """Acceleration over height, 1/s^2: takes off a third of what is left in each step from rest."""
@@ -29,7 +31,8 @@ class Rig:
     design, forest:
         What was built, and which hinges are joints.
     turns:
-        How far each hinge but the central one turns before paper is in the way, by its id.
+        How far each hinge but the central one turns before paper is in the way, by its id; worked out where they
+        are not given.
     scale:
         mm per unit of length of the model.
     model, data:
@@ -39,11 +42,17 @@ class Rig:
         its least and greatest angle, rad, each of shape (j,).
     """
 
-    def __init__(self, design: Design, pacing: Pacing, guarded: frozenset[str] = frozenset()) -> None:
+    def __init__(
+        self,
+        design: Design,
+        pacing: Pacing,
+        guarded: frozenset[str] = frozenset(),
+        turns: Mapping[str, Turn] | None = None,
+    ) -> None:
         mujoco = load_mujoco()
         self.design = design
         self.forest: Forest = spanning_forest(design, guarded)
-        self.turns = free_turns(design, [hinge for hinge in design.hinges if hinge.kind != "central"])
+        self.turns = turns_of(design) if turns is None else turns
         self.scale = size_of(design)
         xml = write_mjcf(design, self.forest, self.turns, Recipe(self.scale, pacing.damping, pacing.impedance))
         self.model: Any = mujoco.MjModel.from_xml_string(xml)
@@ -60,6 +69,11 @@ class Rig:
         self._normals = np.array([patch.plane.normal for patch in design.patches])
         self._bodies = np.array([self.model.body(patch.id).id for patch in design.patches])
 
+    @cached_property
+    def jacobian(self) -> LoopJacobian:
+        """How the loops answer to the joints."""
+        return LoopJacobian(self.design, self.forest)
+
     def hold(self, quaternions: FloatArray) -> None:
         """Set ground and backdrop to two quaternions of :func:`page_quaternions`, shape (2, 4)."""
         self._pages[:] = quaternions
@@ -73,6 +87,10 @@ class Rig:
         for _ in range(count):
             self._velocities[:] = 0
             self._step(self.model, self.data)
+
+    def strain(self) -> float:
+        """Largest part of a loop gap before the last step, over the size of the pop-up, as MuJoCo has it."""
+        return float(np.abs(self.data.efc_pos[: self.data.ne]).max(initial=0.0))
 
     def restore(self, state: FloatArray, quaternions: FloatArray) -> None:
         """Go to recorded joint positions with the pages held as :meth:`hold` says, at rest."""

@@ -1,19 +1,13 @@
 """The fold angles that are recorded, and the steps between them."""
 
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 import numpy as np
 
 from popsim.geometry.arrays import BoolArray, FloatArray, IntArray
 from popsim.geometry.frame import OPEN
 from popsim.simulation.solver import END_DEGREES, Pacing
-
-STOPS = 2.0
-"""Degrees; at most this far apart the pages stop and the structure settles, whatever is recorded."""
-
-END_STOPS = 1.0
-"""The same within END_DEGREES of either end."""
 
 SAME = 1e-6
 """Degrees; stops nearer to each other are one."""
@@ -41,7 +35,7 @@ class Schedule:
         for end in np.radians([180 - END_DEGREES, END_DEGREES]):
             if np.abs(borders - end).min() > np.radians(SAME):
                 borders = np.sort(np.append(borders, end))[::-1]
-        apart = np.radians(np.where(_at_end(borders[:-1], borders[1:]), END_STOPS, STOPS))
+        apart = np.radians(np.where(_at_end(borders[:-1], borders[1:]), self.pacing.end_stops, self.pacing.stops))
         parts = np.asarray(np.ceil((borders[:-1] - borders[1:]) / apart - SAME), dtype=np.int64)
         return _there_and_back(np.append(OPEN, _evenly(borders, parts)))
 
@@ -72,6 +66,12 @@ class Schedule:
     def total_steps(self) -> int:
         """All integration steps, settling included."""
         return int(self.leg_steps.sum() + self.settle_steps.sum())
+
+
+@lru_cache(maxsize=8)
+def schedule_of(count: int, pacing: Pacing) -> Schedule:
+    """The schedule, made once: a campaign asks for the same thousands of times."""
+    return Schedule(count, pacing)
 
 
 def _at_end(high: FloatArray, low: FloatArray) -> BoolArray:

@@ -7,11 +7,11 @@ pushed, and what moves farther than a structure may is loose.
 """
 
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 
-from popsim.geometry.arrays import BoolArray, FloatArray
-from popsim.simulation.jacobian import LoopJacobian
+from popsim.geometry.arrays import BoolArray, FloatArray, locked
 from popsim.simulation.rig import Rig, page_quaternions
 from popsim.simulation.sweep import Sweep
 
@@ -72,8 +72,7 @@ class Push:
 def free_motions(rig: Rig, sweep: Sweep, sound: BoolArray) -> list[FreeMotions]:
     """Count free motions in the closing poses nearest to JACOBIAN_DEGREES, of those that are `sound` (n,)."""
     frames = [frame for frame in sweep.closing_at(JACOBIAN_DEGREES) if sound[frame]]
-    jacobian = LoopJacobian(rig.design, rig.forest)
-    counts, least = jacobian.nullity(sweep.poses[frames], SINGULAR)
+    counts, least = rig.jacobian.nullity(sweep.poses[frames], SINGULAR)
     return [
         FreeMotions(float(sweep.theta[frame]), int(count), float(value))
         for frame, count, value in zip(frames, counts, least, strict=True)
@@ -101,7 +100,7 @@ def _gentlest(rig: Rig, sweep: Sweep, frame: int, allowed: float) -> Push:
 def _push(rig: Rig, sweep: Sweep, frame: int, steps: tuple[int, int]) -> Push:
     theta = float(sweep.theta[frame])
     rig.restore(sweep.states[frame], page_quaternions(np.array(theta)))
-    before = sweep.corners.moved(rig.poses()[None])
+    before = sweep.places[frame]
 
     def motions() -> FloatArray:
         """Greatest motion of any corner of each patch until now, mm, shape (p,)."""
@@ -120,9 +119,15 @@ def _push(rig: Rig, sweep: Sweep, frame: int, steps: tuple[int, int]) -> Push:
 def _wrenches(rig: Rig, steps: int) -> FloatArray:
     """Random force and torque on each body that carry it PUSH_MOTION far, alone, shape (bodies, 6)."""
     acceleration = 2 * PUSH_MOTION / (steps * rig.model.opt.timestep) ** 2
-    directions = np.random.default_rng(SEED).normal(size=(rig.model.nbody, 2, 3))
-    directions /= np.linalg.norm(directions, axis=-1, keepdims=True)
+    directions = _directions(rig.model.nbody)
     lever = np.sqrt(rig.model.body_inertia.max(axis=1) / np.maximum(rig.model.body_mass, 1e-12))
     force = acceleration * rig.model.body_mass[:, None] * directions[:, 0]
     torque = acceleration * (rig.model.body_mass * lever)[:, None] * directions[:, 1]
     return np.concatenate([force, torque], axis=1)
+
+
+@lru_cache(maxsize=16)
+def _directions(bodies: int) -> FloatArray:
+    """Random unit vectors, always the same, shape (bodies, 2, 3)."""
+    directions = np.random.default_rng(SEED).normal(size=(bodies, 2, 3))
+    return locked(directions / np.linalg.norm(directions, axis=-1, keepdims=True), (None, 2, 3), "directions")

@@ -13,8 +13,9 @@ from popsim.simulation.hull import Corners
 from popsim.simulation.kinematics import chain_poses
 from popsim.simulation.neighbours import touching
 from popsim.simulation.rig import Rig, page_quaternions
-from popsim.simulation.schedule import Schedule
+from popsim.simulation.schedule import schedule_of
 from popsim.simulation.solver import Pacing
+from popsim.simulation.turning import turnings
 
 PRESS_STEPS = 20
 """Steps at the closed card in which the pages press on what lies between them."""
@@ -70,6 +71,15 @@ class Sweep:
         """Pairs of patches that meet on a hinge line for ever, shape (p, p)."""
         return touching(self.design)
 
+    @cached_property
+    def turning(self) -> dict[str, FloatArray]:
+        """How far each hinge but the central one has turned at each recorded angle, rad, shape (n,), by its id."""
+        hinges = [hinge for hinge in self.design.hinges if hinge.kind != "central"]
+        if not hinges:
+            return {}
+        first, second = (self.poses[:, [self.index[hinge.patches[side]] for hinge in hinges]] for side in (0, 1))
+        return dict(zip([hinge.id for hinge in hinges], turnings(hinges, first, second).T, strict=True))
+
     @property
     def hulls(self) -> tuple[FloatArray, ...]:
         """The same in the open pose, patch by patch, each (k, 3)."""
@@ -108,9 +118,9 @@ def fold(rig: Rig, count: int, pacing: Pacing) -> Sweep:
     count:
         Recorded angles each way.
     pacing:
-        How slowly.
+        How slowly, and when to break off.
     """
-    schedule = Schedule(count, pacing)
+    schedule = schedule_of(count, pacing)
     turns = page_quaternions(schedule.driven)
     rig.settle(schedule.settle_steps[0])
     states = [rig.state()]
@@ -123,6 +133,8 @@ def fold(rig: Rig, count: int, pacing: Pacing) -> Sweep:
         if leg == closed:
             rig.press(PRESS_STEPS)
         rig.settle(rest)
+        if rest and pacing.hopeless < np.inf and rig.strain() > pacing.hopeless:
+            break
         if schedule.is_recorded[leg + 1]:
             states.append(rig.state())
             if not _sound(states[-1]):

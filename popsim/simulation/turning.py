@@ -47,8 +47,13 @@ def free_turn(design: Design, hinge: Hinge) -> Turn:
     return free_turns(design, [hinge])[hinge.id]
 
 
+def turns_of(design: Design) -> dict[str, Turn]:
+    """The same of all hinges but the central one, by their ids."""
+    return free_turns(design, [hinge for hinge in design.hinges if hinge.kind != "central"])
+
+
 def free_turns(design: Design, hinges: Sequence[Hinge]) -> dict[str, Turn]:
-    """The same of several hinges, by their ids."""
+    """The same of some hinges, by their ids."""
     from shapely import area, intersection
 
     if not hinges:

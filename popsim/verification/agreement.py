@@ -41,10 +41,11 @@ def distances(sweep: Sweep, theory: Theory) -> tuple[IntArray, dict[str, FloatAr
     """
     low, high = COMPARED_DEGREES
     inside = np.flatnonzero((sweep.degrees > low - 1e-6) & (sweep.degrees < high + 1e-6))
-    known = theory.poses(sweep.theta[inside])
+    theta, both_ways = np.unique(sweep.theta[inside], return_inverse=True)
+    known = theory.poses(theta)
     stated = sweep.poses[inside].copy()
     for name, poses in known.items():
-        stated[:, sweep.index[name]] = poses
+        stated[:, sweep.index[name]] = poses[both_ways]
     apart = np.linalg.norm(sweep.places[inside] - sweep.corners.moved(stated), axis=-1)
     away = sweep.corners.greatest(apart)
     return inside, {name: away[:, sweep.index[name]] for name in known}

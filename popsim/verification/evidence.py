@@ -31,7 +31,7 @@ class Evidence:
     flat, reopened, protruding:
         Greatest lengths over all patches; None where the motion ends early.
     contacts:
-        Patches that cross, the deepest first.
+        Patches that cross, the deepest first; not looked for where something moves freely.
     """
 
     rig: Rig
@@ -72,7 +72,7 @@ def gather(design: Design, settings: Settings) -> Evidence:
         flat=flatness(sweep),
         reopened=reopening(sweep),
         protruding=protrusion(sweep),
-        contacts=find_contacts(
-            rig, sweep, settings.crossing, play=gaps.largest, resolution=settings.first_contact
-        ),
+        contacts=()
+        if loose
+        else find_contacts(rig, sweep, settings.crossing, play=gaps.largest, resolution=settings.first_contact),
     )
