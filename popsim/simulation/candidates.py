@@ -1,15 +1,26 @@
-"""Pairs of patches that may cross, found by boxes and planes before any exact test."""
+"""Pairs of patches that may cross, found by boxes and planes before any exact test.
+
+Two ways to cross are looked for: one patch reaches through the other at a recorded angle; or it is on one side of
+the other at one angle and on the other side at the next. Parallel plates pass each other like that, all at once,
+and small ones between two angles.
+"""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
+import numpy.typing as npt
 
 from popsim.geometry.arrays import BoolArray, IntArray
 from popsim.simulation.sweep import Sweep
 
 AT_ONCE = 2_000_000
 """Heights of corners over planes that are worked out together."""
+
+BOTH = np.int8(2)
+"""Mark of a patch that reaches through the plane of another."""
+
+SideArray = npt.NDArray[np.int8]
 
 
 @dataclass(frozen=True)
@@ -20,22 +31,63 @@ class Candidate:
     angles: tuple[int, ...]
 
 
+@dataclass(frozen=True)
+class Change:
+    """A patch that was on one side of the plane of another at an angle and is on the other side at a later one.
+
+    Attributes
+    ----------
+    pair:
+        The patch with the plane and the one that changed sides, by position in the design.
+    before, after:
+        Positions of the recorded angles; between them it is in the plane.
+    """
+
+    pair: tuple[int, int]
+    before: int
+    after: int
+
+
 def candidate_pairs(sweep: Sweep, frames: IntArray, least: float) -> list[Candidate]:
     """Pairs that could reach through each other by more than `least` mm at some of the recorded angles (k,).
 
     Each must have corners on both sides of the plane of the other, farther than `least`, and their boxes must
     overlap. Pairs that share a hinge line are left out.
     """
+    return pairs_and_changes(sweep, frames, least)[0]
+
+
+def pairs_and_changes(sweep: Sweep, frames: IntArray, least: float) -> tuple[list[Candidate], list[Change]]:
+    """The same, and all patches that changed sides between two of these angles, by more than `least` mm."""
     bodies = _Bodies(sweep, frames, least)
-    found = []
+    found: list[Candidate] = []
+    changes: list[Change] = []
     for block in bodies.blocks():
-        others = np.flatnonzero(bodies.around(block).any(axis=0))
-        mask = bodies.meet(block, others) & bodies.straddle(block, others)
-        mask &= np.swapaxes(bodies.straddle(others, block), 1, 2) & bodies.around(block)[:, others]
+        around = bodies.around(block)
+        others = np.flatnonzero(around.any(axis=0))
+        around = around[:, others]
+        one, other = bodies.sides(block, others), bodies.sides(others, block)
+        mask = bodies.meet(block, others) & (one == BOTH) & (np.swapaxes(other, 1, 2) == BOTH) & around
         for row, column in np.argwhere(mask.any(axis=0)).tolist():
             pair = int(block[row]), int(others[column])
             found.append(Candidate(pair, tuple(frames[mask[:, row, column]].tolist())))
-    return found
+        changes += _changes(one, frames, block, others, around)
+        changes += _changes(other, frames, others, block, around.T)
+    return found, changes
+
+
+def _changes(
+    sides: SideArray, frames: IntArray, patches: IntArray, others: IntArray, around: BoolArray
+) -> Iterator[Change]:
+    """Where sides (n, k, m) become opposite, of the pairs that are `around` each other (k, m)."""
+    opposite = (sides == 1).any(axis=0) & (sides == -1).any(axis=0) & around
+    for row, column in np.argwhere(opposite).tolist():
+        off = np.flatnonzero(sides[:, row, column])
+        side = sides[off, row, column].astype(np.int64)
+        unbroken = frames[off[1:]] - frames[off[:-1]] == off[1:] - off[:-1]
+        for k in np.flatnonzero((side[1:] == -side[:-1]) & unbroken).tolist():
+            pair = int(patches[row]), int(others[column])
+            yield Change(pair, int(frames[off[k]]), int(frames[off[k + 1]]))
 
 
 class _Bodies:
@@ -72,11 +124,14 @@ class _Bodies:
         behind = self._high[:, None, others] >= self._low[:, patches, None]
         return np.asarray((ahead & behind).all(axis=-1))
 
-    def straddle(self, patches: IntArray, others: IntArray) -> BoolArray:
-        """Which `others` have corners on both sides of the planes of `patches` at each angle, shape (n, k, m)."""
+    def sides(self, patches: IntArray, others: IntArray) -> SideArray:
+        """Before (1) or behind (-1) the planes of `patches` lie `others` at each angle, shape (n, k, m).
+
+        BOTH where they have corners on both sides, 0 where they lie in the plane.
+        """
         spans = [self._spans[other] for other in others]
         if not spans or not len(patches):
-            return np.zeros((len(self._corners), len(patches), len(spans)), dtype=bool)
+            return np.zeros((len(self._corners), len(patches), len(spans)), dtype=np.int8)
         starts = np.cumsum([0, *(span.stop - span.start for span in spans[:-1])])
         corners = self._corners[:, np.concatenate([np.arange(span.start, span.stop) for span in spans])]
         normals = self._normals[:, patches]
@@ -84,4 +139,4 @@ class _Bodies:
         height -= (normals * self._origins[:, patches]).sum(axis=-1)[..., None]
         below = np.minimum.reduceat(height, starts, axis=2) < -self._least
         above = np.maximum.reduceat(height, starts, axis=2) > self._least
-        return np.asarray(below & above)
+        return np.where(below & above, BOTH, above.astype(np.int8) - below.astype(np.int8))

@@ -5,7 +5,8 @@ from collections import defaultdict
 import numpy as np
 
 from popsim.geometry.arrays import IntArray
-from popsim.simulation.candidates import Candidate, candidate_pairs
+from popsim.simulation.candidates import Candidate, pairs_and_changes
+from popsim.simulation.changing import changed_through
 from popsim.simulation.contact import Depths
 from popsim.simulation.plates import prisms
 from popsim.simulation.scene import Scene
@@ -19,11 +20,21 @@ corrected by it."""
 def find_crossings(sweep: Sweep, frames: IntArray, tolerance: float) -> Depths:
     """All pairs of patches that cross by more than `tolerance` mm at recorded angles (k,).
 
-    Depths are those of MuJoCo's convex collision: the least shift that would part the deepest pieces.
+    Depths are those of MuJoCo's convex collision: the least shift that would part the deepest pieces. Of patches
+    that changed sides at once it is how deep one lies within the outline of the other.
     """
-    candidates = candidate_pairs(sweep, frames, tolerance)
-    if not candidates:
-        return {}
+    candidates, changes = pairs_and_changes(sweep, frames, tolerance)
+    found = _reaching(sweep, candidates, tolerance) if candidates else {}
+    for change in changes:
+        depth = changed_through(sweep, change)
+        if depth > tolerance:
+            first, second = (sweep.design.patches[k].id for k in sorted(change.pair))
+            found.setdefault((first, second), {}).setdefault(change.after, depth)
+    return found
+
+
+def _reaching(sweep: Sweep, candidates: list[Candidate], tolerance: float) -> Depths:
+    """Depths of the candidates that reach through each other by more than `tolerance` mm."""
     members = sorted({k for candidate in candidates for k in candidate.pair})
     patches = sweep.design.patches
     scale = float(np.ptp(np.concatenate([patches[k].points for k in members]), axis=0).max())

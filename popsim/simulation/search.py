@@ -18,6 +18,9 @@ from popsim.simulation.sweep import Sweep
 PARTS = 10
 """Into how many steps the one between two angles is divided when a contact is looked for between them."""
 
+BACK = 10
+"""Earlier angles that are looked at too: what changes sides may lie in one plane for some."""
+
 ALIKE = 6
 """Decimals of depths, mm, that tell contacts apart; those of mirror images differ in the last bits only."""
 
@@ -78,10 +81,11 @@ def _beginnings(
         return dict.fromkeys(wanted, float(sweep.theta[frame]))
     finer = inserted(rig, sweep, frame - 1, PARTS)
     last = frame + PARTS - 1
-    found = look(finer, np.arange(frame, last))
+    found = look(finer, np.arange(max(frame - BACK, 0), last))
     begins: dict[int, set[Crossing]] = defaultdict(set)
     for kind, patches in wanted:
-        begins[min(found[kind].get(patches, {}), default=last)].add((kind, patches))
+        later = [place for place in found[kind].get(patches, {}) if place >= frame]
+        begins[min(later, default=last)].add((kind, patches))
     first: dict[Crossing, float] = {}
     for place, crossings in begins.items():
         first |= _beginnings(rig, finer, place, crossings, look, resolution)
