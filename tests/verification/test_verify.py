@@ -1,9 +1,13 @@
 """The verdict: what passes, what is refused, for the right reason, and where theory and simulation part."""
 
 import json
+from dataclasses import replace
 
+import numpy as np
 import pytest
 from folding_designs import (
+    CARD,
+    CARD_PAIR,
     checked,
     layered,
     leaning,
@@ -18,8 +22,14 @@ from folding_designs import (
     wedges,
 )
 
-from popsim.mechanisms import Condition
+from popsim.geometry.rigid import turns_about
+from popsim.mechanisms import Condition, assemble
+from popsim.mechanisms.tent_fold import TentFold
+from popsim.simulation.extents import reopening
+from popsim.simulation.gaps import loop_gaps
 from popsim.verification import Finding, Measure, Settings, Verdict, verify
+from popsim.verification.evidence import gather
+from popsim.verification.judge import judge
 
 
 @pytest.mark.parametrize("design", [tower()[0], wedges()[0], layered()[0]], ids=["tower", "wedges", "layered"])
@@ -100,6 +110,35 @@ def test_slanted_sides_are_graded_by_the_play_they_need():
     assert "play at hinge" in verdict.notes[0]
     assert verify(slanted_box(1), Settings(play=0.1)).grade == "refused"
     assert not verify(slanted_box(4)).passed
+
+
+def test_what_opens_onto_another_branch_is_refused_under_that_name():
+    """A tent whose ridge comes out on the other side of the pages: all loops close, and it is not where it was."""
+    design = assemble(CARD, [TentFold("t", CARD_PAIR, (-20, 20), 30, 25)])
+    settings = Settings()
+    evidence = gather(design, settings)
+    sweep = evidence.sweep
+    assert judge(evidence, settings, "foldable")[0][-1].name == "opened pose off the first"
+    turned = sweep.poses.copy()
+    for name in ("t.T_3", "t.T_4"):
+        turned[-1, sweep.index[name]] = turn_over(design.patch_by_id[name].points)
+    other = replace(sweep, poses=turned)
+    strayed = replace(evidence, sweep=other, gaps=loop_gaps(other, evidence.rig.forest.loops))
+    assert strayed.gaps.largest < settings.rigid
+    strayed = replace(strayed, reopened=reopening(other))
+    measures, unjudged = judge(strayed, settings, "foldable")
+    assert unjudged == ""
+    assert measures[-1].name == "opened onto another branch"
+    assert measures[-1].value == pytest.approx(50, abs=0.1)
+    assert not measures[-1].holds
+
+
+def turn_over(points: np.ndarray) -> np.ndarray:
+    """Motion (4, 4) that takes a slope standing on its foot line to its mirror image in the page."""
+    foot = points[np.abs(points[:, 2]).argmin()]
+    rise = points[points[:, 2].argmax()] - foot
+    angle = 2 * np.arctan2(rise[2], abs(rise[1])) * np.sign(rise[1])
+    return turns_about(np.array([1.0, 0.0, 0.0]), foot, np.array(-angle))
 
 
 def test_nothing_else_is_judged_where_loops_do_not_close():
