@@ -20,6 +20,9 @@ ASPECTS: tuple[Aspect, ...] = ("foldable", "stable", "clear", "contained")
 
 DEFAULT = Settings()
 
+MOST_TOLD = 3
+"""Broken conditions that a note lists."""
+
 UNSURE_ENDS = "its loops need play, so torque near the open and the closed card depends on what gives way there"
 
 
@@ -44,6 +47,7 @@ def verify(design: Design, settings: Settings = DEFAULT, stock: Stock | None = N
         notes=(
             *_notes(design, evidence, play, settings),
             *filter(None, [left_out]),
+            *map(_slack_note, (finding for finding in findings if finding.disagreement == "slack")),
             *_paper_notes(paper, untold, play),
         ),
         evidence=evidence,
@@ -70,6 +74,14 @@ def _notes(design: Design, evidence: Evidence, play: Play | None, settings: Sett
     if play is not None and (play.shortened is not None or grade(evidence, settings) == "within play"):
         notes.append(play.sentence)
     return tuple(notes)
+
+
+def _slack_note(finding: Finding) -> str:
+    """What the theory refuses and the simulation passes, in words: the margin of a wrong shape says nothing."""
+    broken = [condition for condition in finding.conditions or () if not condition.holds]
+    told = "; ".join(f"{condition.subject}: {condition.name}" for condition in broken[:MOST_TOLD])
+    more = f"; and {len(broken) - MOST_TOLD} more" if len(broken) > MOST_TOLD else ""
+    return f"slack: the theory refuses that it is {finding.aspect} ({told}{more}), the simulation does not"
 
 
 def _paper_notes(paper: PaperRun | None, untold: str, play: Play | None) -> list[str]:

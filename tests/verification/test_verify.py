@@ -108,6 +108,7 @@ def test_slanted_sides_are_graded_by_the_play_they_need():
     assert verdict.passed
     assert verdict.slack == ("foldable",)
     assert "play at hinge" in verdict.notes[0]
+    assert any("slack" in note and "sides parallel to the backbone" in note for note in verdict.notes)
     assert verify(slanted_box(1), Settings(play=0.1)).grade == "refused"
     assert not verify(slanted_box(4)).passed
 
@@ -139,6 +140,17 @@ def turn_over(points: np.ndarray) -> np.ndarray:
     rise = points[points[:, 2].argmax()] - foot
     angle = 2 * np.arctan2(rise[2], abs(rise[1])) * np.sign(rise[1])
     return turns_about(np.array([1.0, 0.0, 0.0]), foot, np.array(-angle))
+
+
+@pytest.mark.parametrize("kind", ["tent-fold", "v-fold-1", "wing-fold"])
+def test_what_a_mechanism_is_called_decides_nothing_and_slack_says_what_does_not_fit(kind):
+    box = plain_box()
+    record = box.mechanisms[0].model_copy(update={"type": kind})
+    verdict = verify(checked(box.model_copy(update={"mechanisms": (record,)})))
+    assert verdict.passed
+    assert verdict.slack == ("foldable",)
+    (note,) = verdict.notes
+    assert note.startswith("slack: the theory refuses that it is foldable (M: its form: ")
 
 
 def test_nothing_else_is_judged_where_loops_do_not_close():
