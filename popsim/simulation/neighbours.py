@@ -25,6 +25,27 @@ def touching(design: Design) -> BoolArray:
     return pairs
 
 
+def companions(design: Design) -> tuple[Hinge, ...]:
+    """Pairs of patches that turn about one line and are not hinged to each other, as hinges about that line.
+
+    Two walls on one fold line of a page, for one. Those of which one ends along the line before the other begins
+    are left out. Ids are made of both patches.
+    """
+    found = []
+    for hinges in _lines(design):
+        joined = {frozenset(hinge.patches) for hinge in hinges}
+        names = sorted({name for hinge in hinges for name in hinge.patches})
+        start, end = hinges[0].points
+        reaches = [design.patch_by_id[name].points @ (end - start) for name in names]
+        low, high = np.array([reach.min() for reach in reaches]), np.array([reach.max() for reach in reaches])
+        meet = (low[:, None] < high) & (high[:, None] > low)
+        for first, second in np.argwhere(np.triu(meet, 1)).tolist():
+            pair = names[first], names[second]
+            if frozenset(pair) not in joined:
+                found.append(Hinge(id="+".join(pair), patches=pair, axis=hinges[0].axis, kind="fold"))
+    return tuple(found)
+
+
 def _lines(design: Design) -> list[list[Hinge]]:
     """Hinges on each line; those that share a patch and lie on one line belong together."""
     root = list(range(len(design.hinges)))

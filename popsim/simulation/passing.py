@@ -1,4 +1,4 @@
-"""Hinged patches that turn through each other, which no test of separate patches can see."""
+"""Patches on one line that turn through each other, which no test of separate patches can see."""
 
 from collections.abc import Sequence
 
@@ -24,7 +24,7 @@ def passing_depths(sweep: Sweep, turns: Sequence[Turn]) -> FloatArray:
     """How far the two patches of each hinge have passed each other at the far edge, at each angle, mm, (n, h)."""
     if not turns:
         return np.zeros((len(sweep.theta), 0))
-    angle = np.stack([sweep.turning[turn.hinge.id] for turn in turns], axis=1)
+    angle = sweep.turned([turn.hinge for turn in turns])
     lower, upper = np.array([[turn.lower, turn.upper] for turn in turns]).T
     over: FloatArray = np.clip(np.maximum(lower - angle, angle - upper), 0.0, np.pi / 2)
     depths = np.zeros(over.shape)

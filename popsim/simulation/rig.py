@@ -14,8 +14,9 @@ from popsim.simulation.engine import load_mujoco
 from popsim.simulation.forest import PAGES, Forest, spanning_forest
 from popsim.simulation.jacobian import LoopJacobian
 from popsim.simulation.mjcf import Recipe, size_of, write_mjcf
+from popsim.simulation.neighbours import companions
 from popsim.simulation.solver import Pacing
-from popsim.simulation.turning import Turn, turns_of
+from popsim.simulation.turning import Turn, free_turns, turns_of
 
 PRESSING = 3e5
 """Acceleration over height, 1/s^2: takes off a third of what is left in each step from rest."""
@@ -73,6 +74,11 @@ class Rig:
     def jacobian(self) -> LoopJacobian:
         """How the loops answer to the joints."""
         return LoopJacobian(self.design, self.forest)
+
+    @cached_property
+    def companions(self) -> dict[str, Turn]:
+        """How far patches that share a line and no hinge turn against each other before one is in the way."""
+        return free_turns(self.design, companions(self.design))
 
     def hold(self, quaternions: FloatArray) -> None:
         """Set ground and backdrop to two quaternions of :func:`page_quaternions`, shape (2, 4)."""

@@ -57,7 +57,7 @@ def find_contacts(
         return (
             find_crossings(motion, frames, tolerance),
             find_piercings(motion, frames, tolerance, play),
-            find_passing(motion, frames, list(rig.turns.values()), tolerance),
+            find_passing(motion, frames, [*rig.turns.values(), *rig.companions.values()], tolerance),
         )
 
     known: dict[tuple[int, int], list[Contact]] = {}

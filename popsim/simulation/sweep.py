@@ -1,12 +1,12 @@
 """Closing the card and opening it again."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 
-from popsim.design import Design
+from popsim.design import Design, Hinge
 from popsim.geometry.arrays import BoolArray, FloatArray
 from popsim.geometry.frame import OPEN
 from popsim.simulation.hull import Corners
@@ -71,14 +71,19 @@ class Sweep:
         """Pairs of patches that meet on a hinge line for ever, shape (p, p)."""
         return touching(self.design)
 
+    def turned(self, hinges: Sequence[Hinge]) -> FloatArray:
+        """How far the patches of hinges have turned at each recorded angle, rad, shape (n, h); asked once each."""
+        new = [hinge for hinge in hinges if hinge.id not in self._turned]
+        if new:
+            first, second = (self.poses[:, [self.index[hinge.patches[side]] for hinge in new]] for side in (0, 1))
+            found = turnings(new, first, second)
+            self._turned.update(zip([hinge.id for hinge in new], found.T, strict=True))
+        return np.stack([self._turned[hinge.id] for hinge in hinges], axis=1)
+
     @cached_property
-    def turning(self) -> dict[str, FloatArray]:
-        """How far each hinge but the central one has turned at each recorded angle, rad, shape (n,), by its id."""
-        hinges = [hinge for hinge in self.design.hinges if hinge.kind != "central"]
-        if not hinges:
-            return {}
-        first, second = (self.poses[:, [self.index[hinge.patches[side]] for hinge in hinges]] for side in (0, 1))
-        return dict(zip([hinge.id for hinge in hinges], turnings(hinges, first, second).T, strict=True))
+    def _turned(self) -> dict[str, FloatArray]:
+        """Turning of the hinges that were asked for, by their ids, shape (n,) each."""
+        return {}
 
     @property
     def hulls(self) -> tuple[FloatArray, ...]:
