@@ -4,11 +4,15 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from popsim.design import Hinge
 from popsim.geometry.arrays import FloatArray, IntArray
 from popsim.geometry.plane import line_distance
 from popsim.simulation.contact import Depths
 from popsim.simulation.sweep import Sweep
-from popsim.simulation.turning import Turn
+from popsim.simulation.turning import Turn, angles_between, free_turns
+
+BARELY = 1e-4
+"""rad; planes that pass each other by less than this are face to face: 0.01 mm at 100 mm from their line."""
 
 
 def find_passing(sweep: Sweep, frames: IntArray, turns: Sequence[Turn], tolerance: float) -> Depths:
@@ -18,6 +22,20 @@ def find_passing(sweep: Sweep, frames: IntArray, turns: Sequence[Turn], toleranc
     for row, column in np.argwhere(depths > tolerance).tolist():
         found.setdefault(turns[column].hinge.patches, {})[int(frames[row])] = float(depths[row, column])
     return found
+
+
+def turns_that_pass(sweep: Sweep, hinges: Sequence[Hinge]) -> list[Turn]:
+    """How far the patches of those hinges turn freely whose planes pass each other in the recorded motion.
+
+    Most do not; that is known from their angles, long before their outlines are held against each other.
+    """
+    if not hinges:
+        return []
+    angles = angles_between(sweep.design, hinges) + sweep.turned(hinges)
+    low, high = angles.min(axis=0) + BARELY, angles.max(axis=0) - BARELY
+    passing = np.ceil(low / np.pi) * np.pi < high
+    chosen = [hinge for hinge, passes in zip(hinges, passing, strict=True) if passes]
+    return list(free_turns(sweep.design, chosen).values())
 
 
 def passing_depths(sweep: Sweep, turns: Sequence[Turn]) -> FloatArray:

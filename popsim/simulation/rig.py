@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from popsim.design import Design
+from popsim.design import Design, Hinge
 from popsim.geometry.arrays import FloatArray, cross
 from popsim.geometry.frame import OPEN
 from popsim.simulation.engine import load_mujoco
@@ -16,7 +16,7 @@ from popsim.simulation.jacobian import LoopJacobian
 from popsim.simulation.mjcf import Recipe, size_of, write_mjcf
 from popsim.simulation.neighbours import companions
 from popsim.simulation.solver import Pacing
-from popsim.simulation.turning import Turn, free_turns, turns_of
+from popsim.simulation.turning import Turn, turns_of
 
 PRESSING = 3e5
 """Acceleration over height, 1/s^2: takes off a third of what is left in each step from rest."""
@@ -76,9 +76,9 @@ class Rig:
         return LoopJacobian(self.design, self.forest)
 
     @cached_property
-    def companions(self) -> dict[str, Turn]:
-        """How far patches that share a line and no hinge turn against each other before one is in the way."""
-        return free_turns(self.design, companions(self.design))
+    def companions(self) -> tuple[Hinge, ...]:
+        """Patches that turn about one line and share no hinge, as hinges."""
+        return companions(self.design)
 
     def hold(self, quaternions: FloatArray) -> None:
         """Set ground and backdrop to two quaternions of :func:`page_quaternions`, shape (2, 4)."""

@@ -9,7 +9,7 @@ import numpy as np
 from popsim.geometry.arrays import IntArray
 from popsim.simulation.collisions import find_crossings
 from popsim.simulation.contact import Contact, Depths, contacts_of, searched_frames
-from popsim.simulation.passing import find_passing
+from popsim.simulation.passing import find_passing, turns_that_pass
 from popsim.simulation.piercing import find_piercings
 from popsim.simulation.polish import inserted
 from popsim.simulation.rig import Rig
@@ -54,10 +54,11 @@ def find_contacts(
     """
 
     def look(motion: Sweep, frames: IntArray) -> tuple[Depths, ...]:
+        turns = [*rig.turns.values(), *turns_that_pass(motion, rig.companions)]
         return (
             find_crossings(motion, frames, tolerance),
             find_piercings(motion, frames, tolerance, play),
-            find_passing(motion, frames, [*rig.turns.values(), *rig.companions.values()], tolerance),
+            find_passing(motion, frames, turns, tolerance),
         )
 
     known: dict[tuple[int, int], list[Contact]] = {}

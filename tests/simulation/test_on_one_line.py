@@ -9,7 +9,8 @@ from folding_designs import checked, overlapping_boxes, plain_box, tower
 from popsim.design import Design, Hinge, Patch
 from popsim.simulation import fold_design
 from popsim.simulation.neighbours import companions, touching
-from popsim.simulation.passing import passing_depths
+from popsim.simulation.passing import passing_depths, turns_that_pass
+from popsim.simulation.turning import free_turns
 from popsim.verification import verify
 
 LINE = 40.0
@@ -114,6 +115,7 @@ def test_companions_share_a_line_overlap_along_it_and_have_no_hinge() -> None:
 @pytest.mark.parametrize("design", [plain_box(), tower()[0]], ids=["box", "tower"])
 def test_companions_of_sound_designs_stay_on_their_sides(design: Design) -> None:
     folding = fold_design(design, 60)
-    turns = list(folding.rig.companions.values())
+    turns = list(free_turns(design, folding.rig.companions).values())
     assert turns
+    assert turns_that_pass(folding.sweep, folding.rig.companions) == []
     assert passing_depths(folding.sweep, turns).max() < 0.01
