@@ -17,6 +17,10 @@ rest is polished off the joint angles (:mod:`popsim.simulation.polish`).
 **Paper in the way.** Joints stop where two patches lie face to face, and flat creases go to the side that the
 design says: paper does not turn through itself. That also keeps a closed card from opening crosswise.
 
+**Crossings.** Four ways to pass through each other are looked for: a patch that reaches through another at a
+recorded angle, a fold inside a third patch, a patch that is on the other side of another one angle later (parallel
+plates meet all at once), and patches that turn past each other about one line, hinged to each other or not.
+
 MuJoCo is imported inside functions, and only in this package.
 """
 

@@ -11,28 +11,32 @@ SAME_LINE = 0.05
 """mm; hinges of one patch nearer than this lie on one line."""
 
 
-def touching(design: Design) -> BoolArray:
-    """Pairs of patches that meet on one hinge line, in the order of the design, shape (p, p).
+Lines = list[list[Hinge]]
+"""Hinges on each line."""
+
+
+def touching(design: Design, lines: Lines) -> BoolArray:
+    """Pairs of patches that meet on one of the hinge lines of a design, in its order, shape (p, p).
 
     Two planes that turn about a common line meet nowhere else, so such pairs can cross in no other way than by
     turning through each other, which is measured at the hinge itself.
     """
     place = {patch.id: index for index, patch in enumerate(design.patches)}
     pairs = np.eye(len(place), dtype=bool)
-    for hinges in _lines(design):
+    for hinges in lines:
         inside = [place[name] for hinge in hinges for name in hinge.patches]
         pairs[np.ix_(inside, inside)] = True
     return pairs
 
 
-def companions(design: Design) -> tuple[Hinge, ...]:
+def companions(design: Design, lines: Lines) -> tuple[Hinge, ...]:
     """Pairs of patches that turn about one line and are not hinged to each other, as hinges about that line.
 
     Two walls on one fold line of a page, for one. Those of which one ends along the line before the other begins
     are left out. Ids are made of both patches.
     """
     found = []
-    for hinges in _lines(design):
+    for hinges in lines:
         joined = {frozenset(hinge.patches) for hinge in hinges}
         names = sorted({name for hinge in hinges for name in hinge.patches})
         start, end = hinges[0].points
@@ -46,7 +50,7 @@ def companions(design: Design) -> tuple[Hinge, ...]:
     return tuple(found)
 
 
-def _lines(design: Design) -> list[list[Hinge]]:
+def hinge_lines(design: Design) -> Lines:
     """Hinges on each line; those that share a patch and lie on one line belong together."""
     root = list(range(len(design.hinges)))
 

@@ -4,7 +4,6 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from popsim.design import Hinge
 from popsim.geometry.arrays import FloatArray, IntArray
 from popsim.geometry.plane import line_distance
 from popsim.simulation.contact import Depths
@@ -24,11 +23,12 @@ def find_passing(sweep: Sweep, frames: IntArray, turns: Sequence[Turn], toleranc
     return found
 
 
-def turns_that_pass(sweep: Sweep, hinges: Sequence[Hinge]) -> list[Turn]:
-    """How far the patches of those hinges turn freely whose planes pass each other in the recorded motion.
+def turns_that_pass(sweep: Sweep) -> list[Turn]:
+    """How far patches on one line without a hinge turn freely, of those whose planes pass each other.
 
     Most do not; that is known from their angles, long before their outlines are held against each other.
     """
+    hinges = sweep.companions
     if not hinges:
         return []
     angles = angles_between(sweep.design, hinges) + sweep.turned(hinges)

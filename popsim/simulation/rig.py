@@ -7,14 +7,13 @@ from typing import Any
 
 import numpy as np
 
-from popsim.design import Design, Hinge
+from popsim.design import Design
 from popsim.geometry.arrays import FloatArray, cross
 from popsim.geometry.frame import OPEN
 from popsim.simulation.engine import load_mujoco
 from popsim.simulation.forest import PAGES, Forest, spanning_forest
 from popsim.simulation.jacobian import LoopJacobian
 from popsim.simulation.mjcf import Recipe, size_of, write_mjcf
-from popsim.simulation.neighbours import companions
 from popsim.simulation.solver import Pacing
 from popsim.simulation.turning import Turn, turns_of
 
@@ -74,11 +73,6 @@ class Rig:
     def jacobian(self) -> LoopJacobian:
         """How the loops answer to the joints."""
         return LoopJacobian(self.design, self.forest)
-
-    @cached_property
-    def companions(self) -> tuple[Hinge, ...]:
-        """Patches that turn about one line and share no hinge, as hinges."""
-        return companions(self.design)
 
     def hold(self, quaternions: FloatArray) -> None:
         """Set ground and backdrop to two quaternions of :func:`page_quaternions`, shape (2, 4)."""

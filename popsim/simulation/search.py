@@ -54,7 +54,7 @@ def find_contacts(
     """
 
     def look(motion: Sweep, frames: IntArray) -> tuple[Depths, ...]:
-        turns = [*rig.turns.values(), *turns_that_pass(motion, rig.companions)]
+        turns = [*rig.turns.values(), *turns_that_pass(motion)]
         return (
             find_crossings(motion, frames, tolerance),
             find_piercings(motion, frames, tolerance, play),

@@ -11,7 +11,7 @@ from popsim.geometry.arrays import BoolArray, FloatArray
 from popsim.geometry.frame import OPEN
 from popsim.simulation.hull import Corners
 from popsim.simulation.kinematics import chain_poses
-from popsim.simulation.neighbours import touching
+from popsim.simulation.neighbours import companions, hinge_lines, touching
 from popsim.simulation.rig import Rig, page_quaternions
 from popsim.simulation.schedule import schedule_of
 from popsim.simulation.solver import Pacing
@@ -69,7 +69,16 @@ class Sweep:
     @cached_property
     def touching(self) -> BoolArray:
         """Pairs of patches that meet on a hinge line for ever, shape (p, p)."""
-        return touching(self.design)
+        return touching(self.design, self._lines)
+
+    @cached_property
+    def companions(self) -> tuple[Hinge, ...]:
+        """Patches that turn about one line and share no hinge, as hinges."""
+        return companions(self.design, self._lines)
+
+    @cached_property
+    def _lines(self) -> list[list[Hinge]]:
+        return hinge_lines(self.design)
 
     def turned(self, hinges: Sequence[Hinge]) -> FloatArray:
         """How far the patches of hinges have turned at each recorded angle, rad, shape (n, h); asked once each."""

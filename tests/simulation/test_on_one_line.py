@@ -8,7 +8,7 @@ from folding_designs import checked, overlapping_boxes, plain_box, tower
 
 from popsim.design import Design, Hinge, Patch
 from popsim.simulation import fold_design
-from popsim.simulation.neighbours import companions, touching
+from popsim.simulation.neighbours import companions, hinge_lines, touching
 from popsim.simulation.passing import passing_depths, turns_that_pass
 from popsim.simulation.turning import free_turns
 from popsim.verification import verify
@@ -101,21 +101,26 @@ def test_legs_that_do_not_reach_each_other_are_no_alarm() -> None:
 
 def test_companions_share_a_line_overlap_along_it_and_have_no_hinge() -> None:
     design = legs(15)
-    assert {frozenset(hinge.patches) for hinge in companions(design)} >= {frozenset(("a.leg", "b.leg"))}
-    together, place = touching(design), {patch.id: k for k, patch in enumerate(design.patches)}
+    assert {frozenset(hinge.patches) for hinge in companions(design, hinge_lines(design))} >= {
+        frozenset(("a.leg", "b.leg"))
+    }
+    together, place = (
+        touching(design, hinge_lines(design)),
+        {patch.id: k for k, patch in enumerate(design.patches)},
+    )
     hinged = {frozenset(hinge.patches) for hinge in design.hinges}
-    for hinge in companions(design):
+    for hinge in companions(design, hinge_lines(design)):
         first, second = (place[name] for name in hinge.patches)
         assert together[first, second]
         assert frozenset(hinge.patches) not in hinged
-    apart = [hinge.patches for hinge in companions(overlapping_boxes())]
+    apart = [hinge.patches for hinge in companions(overlapping_boxes(), hinge_lines(overlapping_boxes()))]
     assert not any({name[0] for name in pair} == {"M", "N"} for pair in apart)
 
 
 @pytest.mark.parametrize("design", [plain_box(), tower()[0]], ids=["box", "tower"])
 def test_companions_of_sound_designs_stay_on_their_sides(design: Design) -> None:
     folding = fold_design(design, 60)
-    turns = list(free_turns(design, folding.rig.companions).values())
+    turns = list(free_turns(design, folding.sweep.companions).values())
     assert turns
-    assert turns_that_pass(folding.sweep, folding.rig.companions) == []
+    assert turns_that_pass(folding.sweep) == []
     assert passing_depths(folding.sweep, turns).max() < 0.01

@@ -14,7 +14,6 @@ import numpy as np
 
 from popsim.geometry.arrays import BoolArray, FloatArray
 from popsim.geometry.rigid import transform
-from popsim.simulation.neighbours import touching
 from popsim.simulation.plates import prisms
 from popsim.simulation.scene import Scene
 from popsim.simulation.sweep import Sweep
@@ -83,7 +82,7 @@ def _gaps(sweep: Sweep, frames: list[int], thickness: float, most: float) -> dic
     scale = float(np.ptp(np.concatenate([patch.points for patch in sweep.design.patches]), axis=0).max())
     skin = thickness / 2 / scale
     plates = {place: prisms(patch, scale, skin) for place, patch in enumerate(sweep.design.patches)}
-    scene, joined = Scene(plates, scale), touching(sweep.design)
+    scene, joined = Scene(plates, scale), sweep.touching
     gaps: dict[tuple[int, int], FloatArray] = {}
     for row, frame in enumerate(frames):
         scene.place(sweep.poses[frame])
