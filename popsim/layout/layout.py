@@ -1,23 +1,30 @@
 """A layout: all pieces of a design, and where they lie on the sheets."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import partial
 
 from popsim.design import Design
 from popsim.geometry.arrays import FloatArray
-from popsim.geometry.flat import flat_motion
+from popsim.geometry.flat import flat_motion, move_shape
+from popsim.layout.divisions import Division, other_divisions, parts_of, plain_divisions
 from popsim.layout.flap import Flap
 from popsim.layout.flaps import InTheWay
 from popsim.layout.joints import Joint, find_joints
-from popsim.layout.nesting import nest
-from popsim.layout.opening import Laid, with_opened_folds
+from popsim.layout.laid import Laid, Planned
+from popsim.layout.nesting import Estimator, nest
+from popsim.layout.opening import with_opened_folds
 from popsim.layout.paper import Paper, find_paper
 from popsim.layout.parts import Part
 from popsim.layout.pieces import Piece, make_pieces
 from popsim.layout.planning import plan_pieces
+from popsim.layout.seams import with_chosen_seams
 from popsim.layout.settings import LayoutSettings
-from popsim.layout.split import divide
 from popsim.layout.thickness import cut_back
+from popsim.layout.too_large import Room, fits, too_large
+
+ROUNDING = 1e-9
+"""mm; what exceeds a sheet by less does not."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -102,23 +109,64 @@ def lay_out(
     settings = settings or LayoutSettings()
     paper = paper if isinstance(paper, Paper) else find_paper(paper)
     room = settings.area(paper)
-    listed = cut_back(divide(design, paper, settings), design, settings.stock.thickness if settings.stock else 0.0)
-    parts = {part.id: part for part in listed}
-    joints = find_joints(design, listed)
 
-    def plan(barred: frozenset[str]) -> Laid:
-        nets, flaps = plan_pieces(listed, joints, room, settings, in_the_way, barred)
-        pieces = make_pieces(parts, nets, flaps)
-        shapes, names = [piece.outline for piece in pieces], [piece.name for piece in pieces]
-        return Laid(nets, flaps, pieces, tuple(nest(shapes, names, room, settings.apart, settings.grain)))
+    def plan(divisions: Sequence[Division], barred: frozenset[str] = frozenset()) -> Planned:
+        return _planned(design, divisions, room, settings, in_the_way, barred)
 
-    laid = with_opened_folds(plan, parts, room, settings)
-    corner = flat_motion(0.0, settings.corner(paper))
+    def place(planned: Planned) -> Laid:
+        names = [piece.name for piece in planned.pieces]
+        return Laid(planned, tuple(nest(planned.outlines, names, room, settings.apart, settings.grain)))
+
+    plain = plain_divisions(design, room, settings)
+
+    def others() -> list[tuple[Division, ...]]:
+        return [other_divisions(one, plain[:k], design, room, settings) for k, one in enumerate(plain)]
+
+    estimator = Estimator(room, settings.apart, settings.grain)
+    divisions, laid = with_chosen_seams(plan, place, plain, others, estimator, room, settings)
+    laid = with_opened_folds(partial(plan, divisions), place, laid, estimator, room, settings)
+    return _finished(laid, paper, settings)
+
+
+def _finished(laid: Laid, paper: Paper, settings: LayoutSettings) -> Layout:
+    """Numbers for the joints, and places on the paper instead of those in the area that is used."""
+    planned, corner = laid.planned, flat_motion(0.0, settings.corner(paper))
     placements = tuple(
         Placement(piece, place.sheet, corner @ place.motion)
-        for piece, place in zip(laid.pieces, laid.places, strict=True)
+        for piece, place in zip(planned.pieces, laid.places, strict=True)
     )
-    return Layout(paper, settings, parts, joints, laid.pieces, _numbers(joints, laid.flaps), placements)
+    numbers = _numbers(planned.joints, planned.flaps)
+    return Layout(paper, settings, planned.parts, planned.joints, planned.pieces, numbers, placements)
+
+
+def _planned(
+    design: Design,
+    divisions: Sequence[Division],
+    room: Room,
+    settings: LayoutSettings,
+    in_the_way: InTheWay,
+    barred: frozenset[str],
+) -> Planned:
+    """All pieces, with patches divided as told, where some joints are `barred` from being folds."""
+    thickness = settings.stock.thickness if settings.stock else 0.0
+    listed = cut_back(parts_of(design, divisions), design, thickness)
+    parts = {part.id: part for part in listed}
+    joints = find_joints(design, listed)
+    nets, flaps = plan_pieces(listed, joints, room, settings, in_the_way, barred)
+    pieces = make_pieces(parts, nets, flaps)
+    for piece in pieces:
+        _check_size(piece, parts, room, settings)
+    return Planned(parts, joints, nets, flaps, pieces)
+
+
+def _check_size(piece: Piece, parts: Mapping[str, Part], room: Room, settings: LayoutSettings) -> None:
+    """Raise LayoutError where a piece exceeds the sheet."""
+    import shapely
+
+    if not fits(piece.outline, room, -ROUNDING, grain=settings.grain):
+        shapes = [move_shape(motion, parts[name].polygon) for name, motion in piece.motions.items()]
+        bare = shapely.unary_union(shapes).convex_hull
+        raise too_large(f"piece {piece.name}", bare, piece.outline, room, grain=settings.grain)
 
 
 def _numbers(joints: tuple[Joint, ...], flaps: tuple[Flap, ...]) -> dict[str, int]:

@@ -6,6 +6,7 @@ filled, then least on the last. Coarse rasters show quickly which orders are wor
 word.
 """
 
+from collections import Counter
 from collections.abc import Iterable, Sequence
 from math import ceil
 from random import Random
@@ -33,7 +34,7 @@ class Pass(NamedTuple):
     changes:
         Orders tried.
     effort:
-        Convolutions after which no more are tried.
+        Cells looked at after which no more are tried.
     """
 
     cell: float
@@ -41,7 +42,10 @@ class Pass(NamedTuple):
     effort: int
 
 
-COARSE, FINE = Pass(2.0, 60, 4000), Pass(1.0, 20, 800)
+COARSE, FINE = Pass(2.0, 60, 60_000_000), Pass(1.0, 20, 45_000_000)
+
+MORE = 2
+"""Times as long orders are changed while sheets are not well filled: saving one is worth less of a wait."""
 
 SQUARE = 1e-3
 """Radians; a smallest rectangle that is turned by less is upright."""
@@ -77,37 +81,89 @@ def nest(
     angles = [_angles(shape, room, grain) for shape in shapes]
     for index, own in enumerate(angles):
         if not own:
-            raise _too_large(shapes[index], names[index], room)
+            raise LayoutError(f"piece {names[index]} does not go onto the sheet at any angle")
     random = Random(0)
-    coarse, fine = (Filler(shapes, angles, room, gap, each.cell) for each in (COARSE, FINE))
-    tried = _climbed(coarse, first_orders(shapes, random), COARSE, random)
+    coarse, fine = (_filler(shapes, angles, room, gap, each.cell) for each in (COARSE, FINE))
+    tried = _climbed(coarse, first_orders(dict(enumerate(shapes)), random), COARSE, random)
     kept = sorted(tried, key=lambda order: (tried[order].waste, order))[:BEST]
     again = _climbed(fine, kept, FINE, random)
     best = min((tried[kept[0]], *again.values()), key=lambda filling: filling.waste)
     places = _emptiest_last(best.places, fine.shares)
     last = [k for k, place in enumerate(places) if place.sheet == best.waste.sheets - 1]
-    lowest = Filler([shapes[k] for k in last], [angles[k] for k in last], room, gap, FINE.cell, low=True)
-    for k, place in _gathered(lowest, [shapes[k] for k in last]):
+    for k, place in _gathered([shapes[k] for k in last], [angles[k] for k in last], room, gap):
         places[last[k]] = Place(best.waste.sheets - 1, place.motion)
     _judge(shapes, names, places, room, gap)
     return places
 
 
-def estimate(shapes: list["Polygon"], room: tuple[float, float], gap: float, grain: bool) -> Waste | None:
-    """What these shapes would about waste, by a few orders on coarse rasters; None where one does not fit."""
-    angles = [_angles(shape, room, grain) for shape in shapes]
-    if not all(angles):
-        return None
-    filler = Filler(shapes, angles, room, gap, COARSE.cell)
-    return min(filler.filling(order).waste for order in first_orders(shapes, Random(0)))
+def suffices(waste: Waste, shares: Sequence[float]) -> bool:
+    """Whether nothing could save a sheet, or fill one that is not well filled."""
+    return not waste.lacking and waste.sheets <= ceil(sum(shares) / DENSE)
+
+
+class Estimator:
+    """What shapes would about waste, by a few orders on coarse rasters.
+
+    Most of them are asked about again and again, with others: what is known of them is kept.
+    """
+
+    def __init__(self, room: tuple[float, float], gap: float, grain: bool) -> None:
+        self._room, self._grain = room, grain
+        self._filler = Filler(room, gap, COARSE.cell)
+        self._known: dict[tuple[bytes, int], int | None] = {}
+
+    @property
+    def effort(self) -> int:
+        """Cells looked at so far."""
+        return self._filler.effort
+
+    def waste(self, shapes: Sequence["Polygon"]) -> Waste | None:
+        """What these would waste; None where one of them does not go onto a sheet."""
+        known: dict[int, Polygon] = {}
+        seen: Counter[bytes] = Counter()
+        for shape in shapes:
+            index = self._index(shape, seen)
+            if index is None:
+                return None
+            known[index] = shape
+        return min(self._filler.filling(order).waste for order in first_orders(known, Random(0), varied=0))
+
+    def _index(self, shape: "Polygon", seen: Counter[bytes]) -> int | None:
+        """What the filler calls a shape; twins differ by how many were `seen` before."""
+        content = shape.wkb
+        seen[content] += 1
+        key = content, seen[content]
+        if key not in self._known:
+            angles = _angles(shape, self._room, self._grain)
+            self._known[key] = self._filler.add(shape, angles) if angles else None
+        return self._known[key]
+
+
+def _filler(
+    shapes: Sequence["Polygon"],
+    angles: Sequence[Sequence[float]],
+    room: tuple[float, float],
+    gap: float,
+    cell: float,
+    *,
+    low: bool = False,
+) -> Filler:
+    """A filler that has all these shapes, in their order."""
+    filler = Filler(room, gap, cell, low=low)
+    for shape, own in zip(shapes, angles, strict=True):
+        filler.add(shape, own)
+    return filler
 
 
 def _climbed(filler: Filler, orders: Iterable[Order], limits: Pass, random: Random) -> dict[Order, Filling]:
     """All orders tried, with what they give: those given, then small changes to the best."""
     tried = {order: filler.filling(order) for order in orders}
     best = min(tried, key=lambda order: (tried[order].waste, order))
-    for _ in range(limits.changes):
-        if filler.effort > limits.effort or _suffices(tried[best].waste, filler.shares):
+    for turn in range(MORE * limits.changes):
+        urgency = MORE if tried[best].waste.lacking else 1
+        if turn >= urgency * limits.changes or filler.effort > urgency * limits.effort:
+            break
+        if suffices(tried[best].waste, filler.shares):
             break
         order = best.changed(random)
         tried[order] = filler.filling(order)
@@ -116,18 +172,16 @@ def _climbed(filler: Filler, orders: Iterable[Order], limits: Pass, random: Rand
     return tried
 
 
-def _gathered(lowest: Filler, shapes: list["Polygon"]) -> Iterable[tuple[int, Place]]:
+def _gathered(
+    shapes: list["Polygon"], angles: list[list[float]], room: tuple[float, float], gap: float
+) -> Iterable[tuple[int, Place]]:
     """Places of all shapes of one sheet low on it, so that notes find room above; none where they do not fit."""
-    for order in first_orders(shapes, Random(0)):
+    lowest = _filler(shapes, angles, room, gap, FINE.cell, low=True)
+    for order in first_orders(dict(enumerate(shapes)), Random(0)):
         filling = lowest.filling(order)
         if filling.waste.sheets == 1:
             return enumerate(filling.places)
     return ()
-
-
-def _suffices(waste: Waste, shares: Sequence[float]) -> bool:
-    """Whether other orders could neither save a sheet nor fill one that is not well filled."""
-    return not waste.lacking and waste.sheets <= ceil(sum(shares) / DENSE)
 
 
 def _emptiest_last(places: Sequence[Place], shares: Sequence[float]) -> list[Place]:
@@ -149,16 +203,6 @@ def _angles(shape: "Polygon", room: tuple[float, float], grain: bool) -> list[fl
         if high_x - low_x <= room[0] + 1e-9 and high_y - low_y <= room[1] + 1e-9:
             found.append(angle)
     return found
-
-
-def _too_large(shape: "Polygon", name: str, room: tuple[float, float]) -> LayoutError:
-    low_x, low_y, high_x, high_y = shape.bounds
-    size = sorted((high_x - low_x, high_y - low_y))
-    scale = np.floor(1000 * min(have / want for have, want in zip(sorted(room), size, strict=True))) / 1000
-    return LayoutError(
-        f"piece {name} measures {size[0]:.1f} x {size[1]:.1f} mm with its flaps, more than the {room[0]:.0f} x "
-        f"{room[1]:.0f} mm within the margins; scale the design by {scale:.3f} or less, or use larger paper"
-    )
 
 
 def _judge(

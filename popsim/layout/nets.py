@@ -6,7 +6,7 @@ in which no net overlaps itself or exceeds the sheet: Kruskal's algorithm over s
 which the best result is kept. A loop of folds opens where that costs least.
 """
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from random import Random
 from typing import TYPE_CHECKING, NamedTuple
@@ -18,7 +18,7 @@ from popsim.geometry.flat import move, move_shape, segment_motion
 from popsim.layout.contact import contacts
 from popsim.layout.joints import Joint
 from popsim.layout.parts import Part
-from popsim.layout.split import fits
+from popsim.layout.too_large import fits
 
 if TYPE_CHECKING:
     from shapely.geometry.base import BaseGeometry
@@ -28,6 +28,9 @@ TRIES = 40
 
 OVERLAP = 0.05
 """mm; parts may run into each other by twice this where outlines are not exact."""
+
+GoesOn = Callable[["BaseGeometry"], bool]
+"""Whether a shape goes onto a sheet with flaps round it."""
 
 COINCIDE = 0.02
 """mm; a second fold between parts of a net is a crease too where both unfold to one line as exactly as this."""
@@ -62,6 +65,8 @@ def find_nets(
     room: tuple[float, float],
     allowance: float,
     barred: frozenset[str] = frozenset(),
+    *,
+    grain: bool = False,
 ) -> tuple[Net, ...]:
     """Return the nets of `parts`, ordered by their first part.
 
@@ -71,13 +76,19 @@ def find_nets(
         Width and height of the sheet, and how much flaps may add to a net's size, mm.
     barred:
         Ids of joints that shall be no folds.
+    grain:
+        Whether nets go onto the sheet upright only.
     """
     by_id = {part.id: part for part in parts}
     open_to_fold = [joint for joint in joints if joint.may_fold and joint.id not in barred]
     folds = [fold for joint in open_to_fold if (fold := _as_fold(joint, by_id))]
+
+    def goes_on(shape: "BaseGeometry") -> bool:
+        return fits(shape.convex_hull, room, allowance, grain=grain)
+
     nets = []
     for group in _groups(tuple(by_id), folds):
-        nets += _best([by_id[name] for name in group], folds, room, allowance)
+        nets += _best([by_id[name] for name in group], folds, goes_on)
     order = {name: k for k, name in enumerate(by_id)}
     return tuple(sorted(nets, key=lambda net: order[next(iter(net.motions))]))
 
@@ -104,13 +115,13 @@ def _groups(names: Iterable[str], folds: list[Fold]) -> list[list[str]]:
     return [sorted(group, key=order.__getitem__) for group in networkx.connected_components(graph)]
 
 
-def _best(parts: list[Part], folds: list[Fold], room: tuple[float, float], allowance: float) -> list[Net]:
+def _best(parts: list[Part], folds: list[Fold], goes_on: GoesOn) -> list[Net]:
     names = {part.id for part in parts}
     own = sorted((f for f in folds if f.joint.parts[0] in names), key=lambda f: (-f.joint.length, f.joint.id))
     shuffled = Random(0)
     best: tuple[tuple[float, ...], list[Net]] | None = None
     for _ in range(TRIES):
-        nets = _grow(parts, own, room, allowance)
+        nets = _grow(parts, own, goes_on)
         score = _score(nets, parts)
         if best is None or score < best[0]:
             best = score, nets
@@ -147,7 +158,7 @@ class _Cluster:
         self.folds: list[Joint] = []
 
 
-def _grow(parts: list[Part], order: list[Fold], room: tuple[float, float], allowance: float) -> list[Net]:
+def _grow(parts: list[Part], order: list[Fold], goes_on: GoesOn) -> list[Net]:
     """Kruskal: join clusters across folds in the given order wherever the result is a net."""
     where = {part.id: _Cluster(part) for part in parts}
     for fold in order:
@@ -155,7 +166,7 @@ def _grow(parts: list[Part], order: list[Fold], room: tuple[float, float], allow
         if first is second:
             if _coincides(fold, first):
                 first.folds.append(fold.joint)
-        elif _join(fold, first, second, room, allowance):
+        elif _join(fold, first, second, goes_on):
             where |= dict.fromkeys(second.motions, first)
     clusters = list(dict.fromkeys(where[part.id] for part in parts))
     rank = {part.id: k for k, part in enumerate(parts)}
@@ -173,7 +184,7 @@ def _coincides(fold: Fold, cluster: _Cluster) -> bool:
     return bool(np.abs(a - b).max() < COINCIDE)
 
 
-def _join(fold: Fold, first: _Cluster, second: _Cluster, room: tuple[float, float], allowance: float) -> bool:
+def _join(fold: Fold, first: _Cluster, second: _Cluster, goes_on: GoesOn) -> bool:
     """Add `second` to `first` unless they overlap or the result exceeds the sheet."""
     import shapely
 
@@ -184,7 +195,7 @@ def _join(fold: Fold, first: _Cluster, second: _Cluster, room: tuple[float, floa
     if shapely.intersects(np.array(first.shapes)[:, None], np.array(shapes)[None]).any():
         return False
     outlines = first.outlines + [move_shape(motion, shape) for shape in second.outlines]
-    if not fits(shapely.GeometryCollection(outlines).convex_hull, room, allowance):
+    if not goes_on(shapely.GeometryCollection(outlines)):
         return False
     first.shapes += shapes
     first.outlines = outlines

@@ -5,19 +5,18 @@ fold whose opening saves a sheet, or fills them, becomes a glue joint; where non
 """
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from popsim.geometry.flat import move_shape
 from popsim.layout.errors import LayoutError
-from popsim.layout.filling import Place
-from popsim.layout.flap import Flap
-from popsim.layout.nesting import estimate
+from popsim.layout.laid import Laid, Planned, is_worth
+from popsim.layout.nesting import Estimator
 from popsim.layout.nets import Net
 from popsim.layout.parts import Part
 from popsim.layout.pieces import Piece
 from popsim.layout.settings import LayoutSettings
-from popsim.layout.waste import Waste, waste_of
+from popsim.layout.too_large import Room
+from popsim.layout.waste import Waste
 
 if TYPE_CHECKING:
     from shapely.geometry import Polygon
@@ -26,54 +25,43 @@ if TYPE_CHECKING:
 OPENINGS = 2
 """Folds opened at most; each is one more line to glue."""
 
-PLANS = 4
+PLANS = 2
 """Openings planned in full at most before one is found that is worth it: nets may close elsewhere instead."""
-
-GAIN = 0.05
-"""Share of a sheet that an opening must fill, unless it saves one."""
-
-
-@dataclass(frozen=True, eq=False)
-class Laid:
-    """Nets with their flaps, the pieces made of both, and where they lie; all in the order of the nets."""
-
-    nets: tuple[Net, ...]
-    flaps: tuple[Flap, ...]
-    pieces: tuple[Piece, ...]
-    places: tuple[Place, ...]
-
-    def waste(self, room: tuple[float, float]) -> Waste:
-        """What the sheets waste."""
-        area = room[0] * room[1]
-        return waste_of(
-            [piece.outline.area / area for piece in self.pieces], [place.sheet for place in self.places]
-        )
 
 
 def with_opened_folds(
-    plan: Callable[[frozenset[str]], Laid],
-    parts: Mapping[str, Part],
-    room: tuple[float, float],
+    plan: Callable[[frozenset[str]], Planned],
+    place: Callable[[Planned], Laid],
+    laid: Laid,
+    estimator: Estimator,
+    room: Room,
     settings: LayoutSettings,
 ) -> Laid:
-    """Return what is planned without opening any fold, or with those opened that are worth it.
+    """Return what is planned on its sheets, or with those folds opened that are worth it.
 
     Parameters
     ----------
     plan:
-        Plans everything where joints of some ids are no folds; may raise LayoutError where that leaves no room.
+        Plans all pieces where joints of some ids are no folds; may raise LayoutError where that leaves no room.
+    place:
+        Finds places for all pieces.
+    laid:
+        What is laid out without opening any.
     """
     barred: frozenset[str] = frozenset()
-    laid = plan(barred)
     for _ in range(OPENINGS):
         before = laid.waste(room)
-        folds = _promising(laid, parts, room, settings) if before.lacking else []
+        folds = _promising(laid, estimator, room, settings) if before.lacking else []
         for fold in folds[:PLANS]:
             try:
-                opened = plan(barred | {fold})
+                other = plan(barred | {fold})
             except LayoutError:  # its flaps have no room
                 continue
-            if _worth(opened.waste(room), before):
+            after = estimator.waste(other.outlines)
+            if after is None or not is_worth(after, before):
+                continue
+            opened = place(other)
+            if is_worth(opened.waste(room), before):
                 barred, laid = barred | {fold}, opened
                 break
         else:
@@ -81,26 +69,17 @@ def with_opened_folds(
     return laid
 
 
-def _worth(after: Waste, before: Waste) -> bool:
-    return after.sheets < before.sheets or (
-        after.sheets == before.sheets and after.lacking < max(before.lacking - GAIN, 1e-9)
-    )
-
-
-def _promising(
-    laid: Laid, parts: Mapping[str, Part], room: tuple[float, float], settings: LayoutSettings
-) -> list[str]:
+def _promising(laid: Laid, estimator: Estimator, room: Room, settings: LayoutSettings) -> list[str]:
     """Ids of the folds whose opening is estimated to be worth it, that which wastes least first."""
-    before = laid.waste(room)
-    outlines = [piece.outline for piece in laid.pieces]
+    before, planned = laid.waste(room), laid.planned
+    outlines = planned.outlines
     found: list[tuple[Waste, float, str]] = []
-    for k, net in enumerate(laid.nets):
+    for k, net in enumerate(planned.nets):
         if laid.places[k].sheet not in before.emptiest:
             continue
-        for fold, length, halves in _halves(net, laid.pieces[k], parts, settings.flap_depth):
-            shapes = [*outlines[:k], *outlines[k + 1 :], *halves]
-            after = estimate(shapes, room, settings.apart, settings.grain)
-            if after is not None and _worth(after, before):
+        for fold, length, halves in _halves(net, planned.pieces[k], planned.parts, settings.flap_depth):
+            after = estimator.waste([*outlines[:k], *outlines[k + 1 :], *halves])
+            if after is not None and is_worth(after, before):
                 found.append((after, length, fold))
     return [fold for _, _, fold in sorted(found)]
 

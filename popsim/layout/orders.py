@@ -1,6 +1,7 @@
 """Orders in which pieces are placed: largest first by several measures, and small changes to good ones."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from enum import IntEnum
 from random import Random
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -26,6 +27,14 @@ OTHER_SHEETS = 0.15
 """How often a change is to the order of the sheets too."""
 
 
+class First(IntEnum):
+    """Which sheets a piece tries first: the oldest, those before the last that need it, or that need it most."""
+
+    OLDEST = 0
+    NEEDY = 1
+    NEEDIEST = 2
+
+
 class Order(NamedTuple):
     """How pieces are placed one after another.
 
@@ -33,13 +42,12 @@ class Order(NamedTuple):
     ----------
     pieces:
         Their indices, in this order.
-    needy:
-        Whether each goes to sheets first that are not well filled, but for the last; otherwise to the first sheet
-        with room for it.
+    sheets:
+        Which sheet each tries first.
     """
 
     pieces: tuple[int, ...]
-    needy: bool
+    sheets: "First"
 
     def changed(self, random: Random) -> "Order":
         """A neighbour: one or two pieces go earlier or later, or change places."""
@@ -50,16 +58,18 @@ class Order(NamedTuple):
                 pieces[one], pieces[other] = pieces[other], pieces[one]
             else:
                 pieces.insert(other, pieces.pop(one))
-        return Order(tuple(pieces), self.needy != (random.random() < OTHER_SHEETS))
+        sheets = random.choice(tuple(First)) if random.random() < OTHER_SHEETS else self.sheets
+        return Order(tuple(pieces), sheets)
 
 
-def first_orders(shapes: list["Polygon"], random: Random) -> tuple[Order, ...]:
-    """Orders to begin with, each once."""
+def first_orders(shapes: Mapping[int, "Polygon"], random: Random, varied: int = VARIED) -> tuple[Order, ...]:
+    """Orders of shapes, given by their indices, to begin with; each once. `varied` of the sizes are at random."""
+    indices = list(shapes)
     found: dict[Order, None] = {}
-    for turn in range(len(MEASURES) + VARIED):
-        sizes = [MEASURES[turn % len(MEASURES)](shape) for shape in shapes]
+    for turn in range(len(MEASURES) + varied):
+        sizes = [MEASURES[turn % len(MEASURES)](shape) for shape in shapes.values()]
         if turn >= len(MEASURES):
             sizes = [size * random.uniform(SMALLEST_SHARE, 1.0) for size in sizes]
-        pieces = tuple(int(k) for k in np.argsort(-np.array(sizes), kind="stable"))
-        found |= dict.fromkeys((Order(pieces, needy=False), Order(pieces, needy=True)))
+        pieces = tuple(indices[k] for k in np.argsort(-np.array(sizes), kind="stable"))
+        found |= dict.fromkeys(Order(pieces, sheets) for sheets in First)
     return tuple(found)

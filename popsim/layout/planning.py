@@ -38,7 +38,7 @@ def plan_pieces(
     seams = any(joint.hinge is None for joint in joints)
     allowance = 2 * (settings.seam_depth if seams else settings.flap_depth)
     for _ in range(ROUNDS):
-        nets = find_nets(listed, joints, room, allowance, barred)
+        nets = find_nets(listed, joints, room, allowance, barred, grain=settings.grain)
         flaps, left = plan_flaps(parts, joints, nets, settings, in_the_way)
         opened = frozenset(fold for joint in left for fold in _holding(joint, parts, nets))
         if not opened:

@@ -88,9 +88,11 @@ class Turns:
 
     @classmethod
     def of(cls, shape: "Polygon", angles: Sequence[float], gap: float, grid: Grid) -> "Turns":
-        """The shape at these angles."""
-        found = [_turned(shape, angle, gap, grid) for angle in angles]
-        return cls(grid, tuple(motion for motion, _ in found), tuple(mask for _, mask in found))
+        """The shape at these angles, without those at which it covers the same cells once more."""
+        found: dict[tuple[object, ...], tuple[FloatArray, BoolArray]] = {}
+        for motion, mask in (_turned(shape, angle, gap, grid) for angle in angles):
+            found.setdefault((mask.shape, mask.tobytes()), (motion, mask))
+        return cls(grid, *map(tuple, zip(*found.values(), strict=True)))
 
     @cached_property
     def cells(self) -> int:
@@ -139,11 +141,19 @@ class SheetRaster:
         """Number of cells that are not taken."""
         return self.taken.size - int(self.taken.sum())
 
-    def fit(self, turns: Turns, among: Sequence[int], *, low: bool) -> Fit:
-        """The snuggest place where one of these turns of the shape hits nothing; or, if `low`, the lowest."""
-        if self.free < turns.cells or not among:
-            return Fit(None, ())
-        around = self.grid.spectrum(np.pad(self.taken, RIM, constant_values=True))
+    def has_room(self, turns: Turns) -> bool:
+        """Whether as many cells are free as the shape covers."""
+        return self.free >= turns.cells
+
+    def spectrum(self) -> Spectra:
+        """Of what is taken, and of RIM more cells on each side, where nothing may be put."""
+        return self.grid.spectrum(np.pad(self.taken, RIM, constant_values=True))
+
+    def fit(self, turns: Turns, among: Sequence[int], around: Spectra, *, low: bool) -> Fit:
+        """The snuggest place where one of these turns of the shape hits nothing; or, if `low`, the lowest.
+
+        `around` is the sheet's :meth:`spectrum`.
+        """
         hits = self.grid.hits(around * turns.against[list(among)])[:, RIM:, RIM:]
         found: list[tuple[float, int, int, Spot]] = []
         for k, hit in zip(among, hits, strict=True):

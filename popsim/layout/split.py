@@ -1,27 +1,17 @@
-"""Dividing patches that exceed the sheet, along straight lines, for a flap under the seam to join again."""
+"""Dividing flat shapes that exceed the sheet, along straight lines."""
 
-from math import ceil, inf
+from math import inf
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from popsim.design import Design, Hinge
 from popsim.design.rules import TOUCHING
 from popsim.geometry.arrays import FloatArray
 from popsim.geometry.flat import common
-from popsim.layout.errors import LayoutError
-from popsim.layout.paper import Paper
-from popsim.layout.parts import Part, whole
-from popsim.layout.settings import LayoutSettings
+from popsim.layout.too_large import Room, fits, sides_of
 
 if TYPE_CHECKING:
     from shapely.geometry import Polygon
-
-MOST_PARTS = 16
-"""A patch that needs more is refused: nobody glues a poster from handkerchiefs."""
-
-NARROWEST = 10.0
-"""mm; parts of less beside the flaps of their seams are none."""
 
 CANDIDATES = 25
 """Places tried for each seam."""
@@ -33,10 +23,16 @@ CROSSING = 20.0
 """mm of seam that crossing one hinge is worth."""
 
 UNEVEN = 0.2
-"""mm of seam that it is worth to make the first part larger by 1 mm: halves of sheets leave no room for others."""
+"""mm of seam that it is worth to come nearer to where a seam should be by 1 mm."""
 
 NO_STRIP = 30.0
 """mm; what is left beside a large part is no narrower."""
+
+SLACK = 0.01
+"""mm that parts are smaller than the sheet: far above rounding, far below paper."""
+
+WINDOW = 0.125
+"""How far from where it should be a seam may be, of the range of its places, where it is told where to be."""
 
 
 class Hints(NamedTuple):
@@ -46,110 +42,80 @@ class Hints(NamedTuple):
     wished: list[FloatArray]
 
 
-def divide(design: Design, paper: Paper, settings: LayoutSettings) -> tuple[Part, ...]:
-    """Return the parts of all patches, in the order of the design.
+class Range(NamedTuple):
+    """Where a seam can be: the axis across it (0 or 1), its least and its greatest place on that, mm."""
 
-    Raises
-    ------
-    LayoutError
-        A patch exceeds the sheet and may not be divided, or only into too many parts.
-    """
-    parts: list[Part] = []
-    marks: list[FloatArray] = []
-    for patch in design.patches:
-        part = whole(patch)
-        hinges = design.hinges_by_patch[patch.id]
-        with_flaps = _with_flaps(part, hinges, settings)
-        if fits(with_flaps, settings.area(paper), 0.0):
-            parts.append(part)
-            continue
-        lines = [part.flat(hinge.points) for hinge in hinges]
-        wished = [part.flat(mark) for mark in marks if abs(float(part.plane.distance(mark))) < TOUCHING]
-        polygons = _divided(part, with_flaps, paper, settings, Hints(lines, wished))
-        parts += [Part(f"{part.id}/{k}", patch, part.plane, p) for k, p in enumerate(polygons, 1)]
-        marks += [part.plane.lift(np.array(corner)) for p in polygons for corner in p.exterior.coords[:-1]]
-    return tuple(parts)
+    axis: int
+    least: float
+    most: float
 
 
-def _divided(
-    part: Part, with_flaps: "Polygon", paper: Paper, settings: LayoutSettings, hints: Hints
+class Flaps(NamedTuple):
+    """What flaps may add to a part, mm: along each axis that is not divided, (2,), and along one that is."""
+
+    whole: FloatArray
+    seams: float
+
+
+def cut(
+    polygon: "Polygon",
+    room: Room,
+    flaps: Flaps,
+    hints: Hints,
+    *,
+    leaning: float | None = None,
+    more: int = 0,
+    grain: bool = False,
 ) -> list["Polygon"]:
-    """The outlines of the parts; LayoutError where it may not be divided, or only into too many."""
-    room = settings.area(paper)
-    allowance = 2 * settings.seam_depth  # a part in the middle may carry the flaps of both its seams
-    if not settings.split:
-        raise _too_large(part, with_flaps, paper, settings, "dividing it is switched off")
-    if min(room) < allowance + NARROWEST:
-        raise _too_large(part, with_flaps, paper, settings, "its parts would have no room for their flaps")
-    polygons = _cut(part.polygon, room, allowance, hints)
-    if len(polygons) > MOST_PARTS:
-        raise _too_large(part, with_flaps, paper, settings, f"it would take {len(polygons)} parts")
-    return polygons
+    """Divide until every part fits; seams run along the flat axes.
 
-
-def fits(polygon: "Polygon", room: tuple[float, float], allowance: float) -> bool:
-    """Whether `polygon` and `allowance` mm for flaps go into `room`, upright, turned by 90 degrees or aslant."""
-    low_u, low_v, high_u, high_v = polygon.bounds
-    sizes = [(high_u - low_u, high_v - low_v), aslant(polygon)]
-    return any(
-        max(size) + allowance <= max(room) and min(size) + allowance <= min(room) and min(size) > 0
-        for size in sizes
-    )
-
-
-def _with_flaps(part: Part, hinges: tuple[Hinge, ...], settings: LayoutSettings) -> "Polygon":
-    """Hull of a part and of all flaps that it may have to carry."""
-    import shapely
-
-    depths = [settings.seam_depth if hinge.kind == "central" else settings.flap_depth for hinge in hinges]
-    strips = [
-        shapely.LineString(part.flat(hinge.points)).buffer(depth, cap_style="flat")
-        for hinge, depth in zip(hinges, depths, strict=True)
-    ]
-    return shapely.union_all([part.polygon, *strips]).convex_hull
-
-
-def aslant(polygon: "Polygon") -> tuple[float, float]:
-    """Sides of the smallest rectangle around `polygon`, at any angle."""
-    corners = np.array(polygon.minimum_rotated_rectangle.exterior.coords)
-    return float(np.linalg.norm(corners[1] - corners[0])), float(np.linalg.norm(corners[2] - corners[1]))
-
-
-def _too_large(part: Part, with_flaps: "Polygon", paper: Paper, settings: LayoutSettings, why: str) -> LayoutError:
-    size, whole_size = (np.array(shape.bounds[2:]) - shape.bounds[:2] for shape in (part.polygon, with_flaps))
-    room = np.array(settings.area(paper))
-    fitting = max(float(((side - (whole_size - size)) / size).min()) for side in (room, room[::-1]))
-    scale = np.floor(1000 * fitting) / 1000
-    return LayoutError(
-        f"{part.patch.id} measures {min(size):.1f} x {max(size):.1f} mm, more than {paper.name} holds within its "
-        f"margins, and {why}; scale the design by {scale:.3f} or less, or use larger paper"
-    )
-
-
-def _cut(polygon: "Polygon", room: tuple[float, float], allowance: float, hints: Hints) -> list["Polygon"]:
-    """Divide until every part fits; seams run along the flat axes."""
-    if fits(polygon, room, allowance):
+    Parameters
+    ----------
+    room:
+        Width and height of the sheet, mm.
+    leaning:
+        Where seams are in their range, 0 to 1, as nearly as may be; None for wherever they are short and cross no
+        hinge, the first part rather large than not.
+    more:
+        How many parts more are made than must be.
+    grain:
+        Whether parts go onto the sheet upright only.
+    """
+    if fits(polygon, room, flaps.whole, grain=grain):
         return [polygon]
-    low = np.array(polygon.bounds[:2])
-    size = np.array(polygon.bounds[2:]) - low
-    limits = min(
-        (np.array(side) - allowance for side in (room, room[::-1])),
-        key=lambda limit: ceil(size[0] / limit[0]) * ceil(size[1] / limit[1]),
-    )
-    counts = np.ceil(size / limits)
-    axis = int(counts[1] > counts[0])
-    rest = (counts[axis] - 1) * limits[axis]
-    least = low[axis] + max(size[axis] - rest, 0)
-    most = max(least, low[axis] + min(limits[axis], max(size[axis] - NO_STRIP, size[axis] / 2)))
-    wished = [float(spot[axis]) for spot in hints.wished if least < spot[axis] < most]
-    places = [*np.linspace(least, most, CANDIDATES), *wished]
+    span = _range(polygon, room, flaps, more, grain)
+    ideal = span.least + (1.0 if leaning is None else leaning) * (span.most - span.least)
+    reach = inf if leaning is None else WINDOW * (span.most - span.least)
+    wished = [float(spot[span.axis]) for spot in hints.wished if span.least < spot[span.axis] < span.most]
+    places = [*np.linspace(span.least, span.most, CANDIDATES), *wished]
 
     def cost(place: float) -> tuple[float, float]:
         bonus = ALIGNED if min((abs(place - spot) for spot in wished), default=1.0) < TOUCHING else 0.0
-        return _cost(polygon, axis, place, hints.lines) + UNEVEN * (most - place) - bonus, place
+        return _cost(polygon, span.axis, place, hints.lines) + UNEVEN * abs(place - ideal) - bonus, place
 
-    halves = _halves(polygon, axis, float(min(places, key=cost)))
-    return [piece for half in halves for piece in _cut(half, room, allowance, hints)]
+    near = [float(place) for place in places if abs(place - ideal) <= reach + TOUCHING]
+    halves = _halves(polygon, span.axis, min(near, key=cost))
+    within = Flaps(np.where(np.arange(2) == span.axis, flaps.seams, flaps.whole), flaps.seams)
+    return [part for half in halves for part in cut(half, room, within, hints, leaning=leaning, grain=grain)]
+
+
+def _range(polygon: "Polygon", room: Room, flaps: Flaps, more: int, grain: bool) -> Range:
+    """Where the first seam can be so that few parts are made, and the first of them can be largest."""
+    low = np.array(polygon.bounds[:2])
+    size = np.array(polygon.bounds[2:]) - low
+    found = []
+    for sides in sides_of(room, grain):
+        limits = sides - flaps.seams - SLACK
+        counts = np.where(size + flaps.whole <= sides, 1, np.maximum(np.ceil(size / limits), 2))
+        axis = int(counts[1] > counts[0])
+        found.append(
+            (int(counts.prod()), -float(limits[axis]), float((counts[axis] - 1 + more) * limits[axis]), axis)
+        )
+    _, limit, rest, axis = min(found)
+    strip = min(NO_STRIP, size[axis] / 2)
+    least = max(size[axis] - rest, strip)
+    most = max(least, min(-limit, size[axis] - strip))
+    return Range(axis, float(low[axis] + least), float(low[axis] + most))
 
 
 def _cost(polygon: "Polygon", axis: int, place: float, lines: list[FloatArray]) -> float:

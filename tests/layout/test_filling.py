@@ -9,7 +9,7 @@ from shapely.geometry import Polygon, box
 from popsim.geometry.flat import move_shape
 from popsim.layout.filling import Filler
 from popsim.layout.nesting import nest
-from popsim.layout.orders import Order, first_orders
+from popsim.layout.orders import First, Order, first_orders
 from popsim.layout.sheet_raster import Grid, SheetRaster, Turns
 from popsim.layout.waste import taken_of, waste_of
 
@@ -18,7 +18,10 @@ GAP = 2.0
 
 
 def filler(shapes: list[Polygon]) -> Filler:
-    return Filler(shapes, [[0.0]] * len(shapes), ROOM, GAP, 1.0)
+    made = Filler(ROOM, GAP, 1.0)
+    for shape in shapes:
+        made.add(shape, [0.0])
+    return made
 
 
 def test_a_piece_goes_where_it_fits_most_snugly() -> None:
@@ -27,12 +30,14 @@ def test_a_piece_goes_where_it_fits_most_snugly() -> None:
     walls = Polygon([(0, 60), (0, 100), (100, 100), (100, 60), (74, 60), (74, 90), (36, 90), (36, 60)])
     sheet = SheetRaster.empty(grid)
     low = Turns.of(walls, [0.0], GAP, grid)
-    (row, column, _) = spot = sheet.fit(low, [0], low=False).spot or pytest.fail("an empty sheet has room")
+    (row, column, _) = spot = sheet.fit(low, [0], sheet.spectrum(), low=False).spot or pytest.fail(
+        "an empty sheet has room"
+    )
     assert (row, column) == (0, 0)  # in a corner, as all others fit no better
     sheet = sheet.taking(spot, low)
     piece = box(0, 0, 30, 25)
     turns = Turns.of(piece, [0.0], GAP, grid)
-    found = sheet.fit(turns, [0], low=False).spot
+    found = sheet.fit(turns, [0], sheet.spectrum(), low=False).spot
     assert found is not None
     moved = move_shape(turns.motion(found), piece)
     assert 36 + GAP < moved.bounds[0] < moved.bounds[2] < 74 - GAP
@@ -50,21 +55,42 @@ def test_the_last_sheet_is_filled_from_its_foot() -> None:
 def test_a_full_sheet_has_no_place() -> None:
     grid = Grid.over(ROOM, GAP, 1.0)
     turns = Turns.of(box(0, 0, 90, 150), [0.0], GAP, grid)
-    spot = SheetRaster.empty(grid).fit(turns, [0], low=False).spot
+    sheet = SheetRaster.empty(grid)
+    spot = sheet.fit(turns, [0], sheet.spectrum(), low=False).spot
     assert spot is not None
-    assert SheetRaster.empty(grid).taking(spot, turns).fit(turns, [0], low=False) == (None, ())
+    sheet = sheet.taking(spot, turns)
+    assert not sheet.has_room(turns)
+    assert sheet.fit(turns, [0], sheet.spectrum(), low=False) == (None, ())
 
 
-def test_needy_sheets_are_tried_first() -> None:
-    """The first three leave room for the small one; the second needs it most but for the last."""
-    shapes = [box(0, 0, 100, height) for height in (130, 105, 160, 98, 20)]
+def test_turns_that_cover_the_same_cells_are_one() -> None:
+    grid = Grid.over(ROOM, GAP, 1.0)
+    angles = [0.0, np.pi / 2, np.pi, 3 * np.pi / 2]
+    assert len(Turns.of(box(0, 0, 40, 30), angles, GAP, grid).masks) == 2
+    assert len(Turns.of(Polygon([(0, 0), (40, 0), (0, 30)]), angles, GAP, grid).masks) == 4
+
+
+def test_sheets_in_need_are_tried_first() -> None:
+    """The first three leave room for the small one; the second needs it, and the third needs it most."""
+    shapes = [box(0, 0, 100, height) for height in (130, 105, 102, 98, 20)]
     own = filler(shapes)
-    plain, needy = (own.filling(Order((0, 1, 2, 3, 4), needy=chosen)) for chosen in (False, True))
-    assert [place.sheet for place in plain.places] == [0, 1, 2, 3, 0]
-    assert [place.sheet for place in needy.places] == [0, 1, 2, 3, 1]
-    assert plain.waste.lacking == pytest.approx(0.025)
-    assert needy.waste.lacking == 0
-    assert needy.waste < plain.waste
+    found = {first: own.filling(Order((0, 1, 2, 3, 4), first)) for first in First}
+    assert {first: [place.sheet for place in one.places] for first, one in found.items()} == {
+        First.OLDEST: [0, 1, 2, 3, 0],
+        First.NEEDY: [0, 1, 2, 3, 1],
+        First.NEEDIEST: [0, 1, 2, 3, 2],
+    }
+    assert found[First.OLDEST].waste.lacking == pytest.approx(0.025 + 0.04)
+    assert found[First.NEEDIEST].waste.lacking == pytest.approx(0.025)
+
+
+def test_orders_can_be_of_some_shapes_alone() -> None:
+    """What an estimate asks about again and again is some of all shapes that are known."""
+    shapes = [box(0, 0, 100, height) for height in (130, 105, 60)]
+    alone = filler(shapes[1:]).filling(Order((0, 1), First.OLDEST))
+    some = filler(shapes).filling(Order((1, 2), First.OLDEST))
+    assert some.waste == alone.waste
+    assert all((a.motion == b.motion).all() for a, b in zip(some.places, alone.places, strict=True))
 
 
 def test_shares_of_sheets_are_summed() -> None:
@@ -75,7 +101,7 @@ def test_shares_of_sheets_are_summed() -> None:
 def test_orders_hold_every_piece_once() -> None:
     shapes = [box(0, 0, k, 20 - k) for k in range(1, 15)]
     random = Random(3)
-    orders = list(first_orders(shapes, random))
+    orders = list(first_orders(dict(enumerate(shapes)), random))
     assert len(set(orders)) == len(orders)
     for _ in range(100):
         orders.append(orders[-1].changed(random))

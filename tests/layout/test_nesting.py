@@ -36,8 +36,8 @@ def test_a_shape_of_exactly_the_room_fits() -> None:
     assert move_shape(place.motion, box(0, 0, 190, 254)).bounds == pytest.approx((0, 0, 190, 254))
 
 
-def test_a_shape_beyond_the_room_is_named_with_its_scale() -> None:
-    with pytest.raises(LayoutError, match=r"piece big measures 200\.0 x 300\.0 mm.*0\.846"):
+def test_a_shape_beyond_the_room_is_named() -> None:
+    with pytest.raises(LayoutError, match="piece big does not go onto the sheet"):
         nest([box(0, 0, 200, 300)], ["big"], ROOM, 3.0, grain=False)
 
 

@@ -1,0 +1,136 @@
+"""Choosing where patches are divided with all sheets in view.
+
+The plainest seams are short and cross no hinge. Where they seem to leave sheets badly filled, others are sketched,
+plane by plane, until none is estimated to waste less: first those that make as many parts, and then, if sheets are
+still not well filled, those that make one more of a patch. What is best is planned in full.
+"""
+
+from collections.abc import Callable, Iterator, Sequence
+from functools import cached_property
+
+from popsim.layout.divisions import Division, count_parts
+from popsim.layout.errors import LayoutError
+from popsim.layout.laid import Laid, Planned, is_worth
+from popsim.layout.nesting import Estimator, suffices
+from popsim.layout.settings import LayoutSettings
+from popsim.layout.sketch import Sketch
+from popsim.layout.too_large import Room
+from popsim.layout.waste import Waste
+
+SWEEPS = 2
+"""Times that each plane is looked at."""
+
+EFFORT = 50_000_000
+"""Cells looked at after which no more seams are sketched; twice as many where one part more is tried."""
+
+
+def with_chosen_seams(
+    plan: Callable[[Sequence[Division]], Planned],
+    place: Callable[[Planned], Laid],
+    plain: Sequence[Division],
+    others: Callable[[], Sequence[Sequence[Division]]],
+    estimator: Estimator,
+    room: Room,
+    settings: LayoutSettings,
+) -> tuple[Sequence[Division], Laid]:
+    """Return the plainest seams, or others that are worth it, and what is laid out with them.
+
+    Parameters
+    ----------
+    plan:
+        Plans all pieces for one division of each plane; may raise LayoutError.
+    place:
+        Finds places for all pieces.
+    plain:
+        The plainest division of each plane.
+    others:
+        Finds other divisions of each plane.
+    """
+    if not plain:
+        return plain, place(plan(plain))
+    seams = _Seams(plain, others)
+    plain, planned = _first(plan, seams)
+    laid = place(planned)
+    before = laid.waste(room)
+    if suffices(before, planned.shares(room)):
+        return plain, laid
+    chosen = _sketched(Sketch(planned, settings.seam_depth), plain, seams, estimator)
+    if not _same(chosen, plain):
+        try:
+            other = plan(chosen)
+        except LayoutError:  # its flaps have no room
+            return plain, laid
+        found = place(other)
+        if is_worth(found.waste(room), before):
+            return chosen, found
+    return plain, laid
+
+
+class _Seams:
+    """The plainest divisions of all planes, and others once they are asked for."""
+
+    def __init__(self, plain: Sequence[Division], others: Callable[[], Sequence[Sequence[Division]]]) -> None:
+        self.plain = plain
+        self._others = others
+
+    @cached_property
+    def ways(self) -> list[list[Division]]:
+        """All divisions of each plane, the plainest first."""
+        return [[plain, *others] for plain, others in zip(self.plain, self._others(), strict=True)]
+
+    def in_turn(self) -> Iterator[Sequence[Division]]:
+        """The plainest divisions, then others."""
+        yield self.plain
+        for k in range(1, max(map(len, self.ways))):
+            yield [own[min(k, len(own) - 1)] for own in self.ways]
+
+    def up_to(self, more: int) -> list[list[Division]]:
+        """All divisions of each plane into at most `more` parts more than the plainest makes, of each patch."""
+        return [[d for d in own if count_parts(d) <= count_parts(own[0]) + more * len(d)] for own in self.ways]
+
+
+def _first(plan: Callable[[Sequence[Division]], Planned], seams: _Seams) -> tuple[Sequence[Division], Planned]:
+    """The plainest divisions that leave room for all flaps, and what is planned with them."""
+    refusal: LayoutError | None = None
+    for divisions in seams.in_turn():
+        try:
+            return divisions, plan(divisions)
+        except LayoutError as error:
+            refusal = refusal or error
+    raise refusal or LayoutError("no patch is divided")
+
+
+def _sketched(
+    sketch: Sketch, plain: Sequence[Division], seams: _Seams, estimator: Estimator
+) -> Sequence[Division]:
+    """The divisions that are estimated to waste least: one plane after the other is divided anew."""
+
+    def waste(divisions: Sequence[Division]) -> Waste | None:
+        return estimator.waste(sketch.shapes({name: own for each in divisions for name, own in each.items()}))
+
+    chosen, least, start = list(plain), waste(plain), estimator.effort
+    for more in (0, 1):
+        if more and (least is None or not least.lacking):
+            break
+        for _ in range(SWEEPS):
+            before = chosen
+            for k, divisions in enumerate(seams.up_to(more)):
+                for division in divisions:
+                    if estimator.effort - start > EFFORT * (1 + more):
+                        return chosen
+                    tried = [*chosen[:k], division, *chosen[k + 1 :]]
+                    found = waste(tried)
+                    if found is not None and (least is None or _is_better(tried[k], found, chosen[k], least)):
+                        chosen, least = tried, found
+            if _same(chosen, before):
+                break
+    return chosen
+
+
+def _is_better(tried: Division, found: Waste, chosen: Division, least: Waste) -> bool:
+    """Whether a division wastes less than the one chosen so far; much less, where it makes more parts."""
+    return is_worth(found, least) if count_parts(tried) > count_parts(chosen) else found < least
+
+
+def _same(one: Sequence[Division], other: Sequence[Division]) -> bool:
+    return all(a is b for a, b in zip(one, other, strict=True))

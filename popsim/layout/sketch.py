@@ -1,0 +1,113 @@
+"""What pieces would about be if patches were divided elsewhere: drawn from pieces that were planned in full."""
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from popsim.geometry.arrays import FloatArray
+from popsim.geometry.flat import common, inverse, move, move_shape
+from popsim.layout.divisions import Division
+from popsim.layout.joints import SHORTEST
+from popsim.layout.laid import Planned
+from popsim.layout.nets import Net
+from popsim.layout.pieces import Piece
+
+if TYPE_CHECKING:
+    from shapely.geometry import Polygon
+    from shapely.geometry.base import BaseGeometry
+
+WELD = 0.01
+"""mm; shapes that meet along creases are grown by this to be one."""
+
+
+class Hanging(NamedTuple):
+    """What hangs on a divided patch by a line, flat: its shape, or for a flap its depth, and the line (2, 2)."""
+
+    shape: "BaseGeometry | float"
+    line: FloatArray
+
+
+class Sketch:
+    """Shapes of pieces that were planned, and of those that other divisions of patches would make.
+
+    Parameters
+    ----------
+    seam_depth:
+        Of the flap along a seam, mm.
+    """
+
+    def __init__(self, planned: Planned, seam_depth: float) -> None:
+        self._parts, self._seam_depth = planned.parts, seam_depth
+        self._kept: list[Polygon] = []
+        self._hanging: dict[str, list[Hanging]] = {}
+        for net, piece in zip(planned.nets, planned.pieces, strict=True):
+            divided = [name for name in net.motions if self._is_divided(name)]
+            if not divided:
+                self._kept.append(piece.outline)
+            for name in divided:
+                own = self._hanging.setdefault(self._parts[name].patch.id, [])
+                own += self._found(net, piece, name, divided)
+
+    def shapes(self, divisions: Division) -> list["Polygon"]:
+        """Shapes of all pieces where the patches that are divided are divided like this."""
+        return [
+            *self._kept,
+            *(s for name, polygons in divisions.items() for s in self._divided(polygons, self._hanging[name])),
+        ]
+
+    def _is_divided(self, name: str) -> bool:
+        return name != self._parts[name].patch.id
+
+    def _found(self, net: Net, piece: Piece, name: str, divided: list[str]) -> Iterator[Hanging]:
+        """Flaps of one part of a divided patch, and what its folds hold."""
+        import networkx
+        import shapely
+
+        back = inverse(net.motions[name])
+        for flap in piece.flaps:
+            if flap.carrier == name and flap.joint.hinge is not None:
+                depth = shapely.hausdorff_distance(flap.polygon, shapely.LineString(flap.line))
+                yield Hanging(depth, flap.line)
+        graph = networkx.Graph()
+        graph.add_nodes_from(net.motions)
+        graph.add_edges_from(fold.parts for fold in net.folds)
+        graph.remove_nodes_from(divided)
+        for fold in piece.folds:
+            if fold.joint not in net.folds or name not in fold.joint.parts:
+                continue
+            beyond = fold.joint.other(name)
+            if beyond in graph:
+                members = networkx.node_connected_component(graph, beyond)
+                yield Hanging(self._together(net, piece, members, back), move(back, fold.ends))
+                graph.remove_nodes_from(members)
+
+    def _together(self, net: Net, piece: Piece, members: set[str], back: FloatArray) -> "BaseGeometry":
+        """Parts of a net and their flaps in one, moved by `back`."""
+        import shapely
+
+        own = [move_shape(net.motions[part], self._parts[part].polygon) for part in net.motions if part in members]
+        own += [move_shape(net.motions[f.carrier], f.polygon) for f in piece.flaps if f.carrier in members]
+        return move_shape(back, shapely.unary_union([shape.buffer(WELD) for shape in own]))
+
+    def _divided(self, polygons: tuple["Polygon", ...], hanging: list[Hanging]) -> Iterator["Polygon"]:
+        """The parts of one patch with the flaps of their seams and what hangs on each."""
+        import shapely
+
+        shapes: list[list[BaseGeometry]] = [[polygon] for polygon in polygons]
+        for k, polygon in enumerate(polygons):
+            for other in polygons[k + 1 :]:
+                seam = common(polygon, other)
+                if seam.length > SHORTEST:
+                    shapes[k].append(seam.buffer(self._seam_depth, cap_style="flat"))
+        for shape, ends in hanging:
+            line = shapely.LineString(ends)
+            if isinstance(shape, float):
+                for own, polygon in zip(shapes, polygons, strict=True):
+                    own.append(line.intersection(polygon.buffer(WELD)).buffer(shape, cap_style="flat"))
+            else:
+                distances = shapely.distance(np.array(polygons), line.centroid)
+                shapes[int(np.argmin(distances))].append(shape.buffer(WELD))
+        for own in shapes:
+            whole = shapely.unary_union(own)
+            yield max(shapely.get_parts(whole), key=lambda part: part.area)
