@@ -11,14 +11,14 @@ from popsim.layout.divisions import Division, other_divisions, parts_of, plain_d
 from popsim.layout.flap import Flap
 from popsim.layout.flaps import InTheWay
 from popsim.layout.joints import Joint, find_joints
-from popsim.layout.laid import Laid, Planned
+from popsim.layout.laid import Laid, Planned, is_worth
 from popsim.layout.nesting import Estimator, nest
 from popsim.layout.opening import with_opened_folds
 from popsim.layout.paper import Paper, find_paper
 from popsim.layout.parts import Part
 from popsim.layout.pieces import Piece, make_pieces
 from popsim.layout.planning import plan_pieces
-from popsim.layout.seams import with_chosen_seams
+from popsim.layout.seams import lay_out_divided
 from popsim.layout.settings import LayoutSettings
 from popsim.layout.thickness import cut_back
 from popsim.layout.too_large import Room, fits, too_large
@@ -123,9 +123,13 @@ def lay_out(
         return [other_divisions(one, plain[:k], design, room, settings) for k, one in enumerate(plain)]
 
     estimator = Estimator(room, settings.apart, settings.grain)
-    divisions, laid = with_chosen_seams(plan, place, plain, others, estimator, room, settings)
-    laid = with_opened_folds(partial(plan, divisions), place, laid, estimator, room, settings)
-    return _finished(laid, paper, settings)
+    best, *rest = (
+        with_opened_folds(partial(plan, divisions), place, laid, estimator, room, settings)
+        for divisions, laid in lay_out_divided(plan, place, plain, others, estimator, room, settings)
+    )
+    for other in rest:
+        best = other if is_worth(other.waste(room), best.waste(room)) else best
+    return _finished(best, paper, settings)
 
 
 def _finished(laid: Laid, paper: Paper, settings: LayoutSettings) -> Layout:

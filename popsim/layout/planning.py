@@ -6,11 +6,15 @@ from popsim.geometry.flat import common, left_of, move_shape
 from popsim.layout.contact import BESIDE, Contact, contacts
 from popsim.layout.errors import LayoutError
 from popsim.layout.flap import Flap
+from popsim.layout.flap_shape import APART, SHORTEST_TAB
 from popsim.layout.flaps import InTheWay, plan_flaps
 from popsim.layout.joints import Joint
 from popsim.layout.nets import Net, find_nets
 from popsim.layout.parts import Part
 from popsim.layout.settings import LayoutSettings
+
+WIDE = SHORTEST_TAB
+"""mm; where nothing lies right beyond a line, what hinders its flap lies as far away as the shallowest is deep."""
 
 ROUNDS = 6
 """Times that nets are opened for flaps; each opening makes one more glue joint."""
@@ -40,43 +44,48 @@ def plan_pieces(
     for _ in range(ROUNDS):
         nets = find_nets(listed, joints, room, allowance, barred, grain=settings.grain)
         flaps, left = plan_flaps(parts, joints, nets, settings, in_the_way)
-        opened = frozenset(fold for joint in left for fold in _holding(joint, parts, nets))
-        if not opened:
+        opened = next(filter(None, (_holding(left, parts, nets, reach) for reach in (BESIDE, WIDE))), None)
+        if opened is None:
             break
         barred |= opened
     if left:
         raise LayoutError(
-            f"{left[0].id}: no flap fits between {left[0].parts[0]} and {left[0].parts[1]}; make the hinge "
-            "longer, give the patches more room beside it, or let it lie on the edge of one of them"
+            f"{left[0].id}: no flap fits between {left[0].parts[0]} and {left[0].parts[1]} on its "
+            f"{left[0].length:.1f} mm; make the hinge longer (a larger size does), give the patches more room "
+            "beside it, or let it lie on the edge of one of them"
         )
     return nets, flaps
 
 
-def _holding(joint: Joint, parts: Mapping[str, Part], nets: tuple[Net, ...]) -> set[str]:
-    """Ids of folds that hold other parts where a flap of `joint` would be."""
+def _holding(
+    left: tuple[Joint, ...], parts: Mapping[str, Part], nets: tuple[Net, ...], reach: float
+) -> frozenset[str]:
+    """Ids of folds that hold other parts where flaps of these joints would be, `reach` mm from their lines."""
     import networkx
 
     found = set()
-    for name in joint.parts:
+    for joint, name in [(one, part) for one in left for part in one.parts]:
         net = next(net for net in nets if name in net.motions)
         graph = networkx.Graph()
         for fold in net.folds:
             graph.add_edge(*fold.parts, fold=fold.id)
         for contact in contacts(joint, parts[name]):
-            for other in _beyond(contact, name, parts, net):
+            for other in _beyond(contact, name, parts, net, reach):
                 path = networkx.shortest_path(graph, name, other)
                 found.add(graph.edges[path[-2], path[-1]]["fold"])
-    return found
+    return frozenset(found)
 
 
-def _beyond(contact: Contact, name: str, parts: Mapping[str, Part], net: Net) -> list[str]:
-    """Parts of a net that lie right beyond an edge of one of them."""
+def _beyond(contact: Contact, name: str, parts: Mapping[str, Part], net: Net, reach: float) -> list[str]:
+    """Parts of a net in the way of a flap that goes `reach` mm beyond an edge of one of them."""
     from shapely.geometry import Polygon
 
     if not contact.is_edge:
         return []
-    across = BESIDE * left_of(contact.ends) * (-1 if contact.left else 1)
+    across = reach * left_of(contact.ends) * (-1 if contact.left else 1)
     strip = Polygon([*contact.ends, *(contact.ends[::-1] + across)])
+    if reach > BESIDE:
+        strip = strip.buffer(APART, join_style="mitre")
     moved = move_shape(net.motions[name], strip)
     return [
         other

@@ -24,7 +24,7 @@ EFFORT = 50_000_000
 """Cells looked at after which no more seams are sketched; twice as many where one part more is tried."""
 
 
-def with_chosen_seams(
+def lay_out_divided(
     plan: Callable[[Sequence[Division]], Planned],
     place: Callable[[Planned], Laid],
     plain: Sequence[Division],
@@ -32,8 +32,8 @@ def with_chosen_seams(
     estimator: Estimator,
     room: Room,
     settings: LayoutSettings,
-) -> tuple[Sequence[Division], Laid]:
-    """Return the plainest seams, or others that are worth it, and what is laid out with them.
+) -> Iterator[tuple[Sequence[Division], Laid]]:
+    """Yield what is laid out with the plainest seams, and then with others, if those are worth it.
 
     Parameters
     ----------
@@ -46,24 +46,21 @@ def with_chosen_seams(
     others:
         Finds other divisions of each plane.
     """
-    if not plain:
-        return plain, place(plan(plain))
     seams = _Seams(plain, others)
     plain, planned = _first(plan, seams)
     laid = place(planned)
+    yield plain, laid
     before = laid.waste(room)
-    if suffices(before, planned.shares(room)):
-        return plain, laid
+    if not plain or suffices(before, planned.shares(room)):
+        return
     chosen = _sketched(Sketch(planned, settings.seam_depth), plain, seams, estimator)
     if not _same(chosen, plain):
         try:
-            other = plan(chosen)
+            found = place(plan(chosen))
         except LayoutError:  # its flaps have no room
-            return plain, laid
-        found = place(other)
+            return
         if is_worth(found.waste(room), before):
-            return chosen, found
-    return plain, laid
+            yield chosen, found
 
 
 class _Seams:
@@ -81,6 +78,8 @@ class _Seams:
     def in_turn(self) -> Iterator[Sequence[Division]]:
         """The plainest divisions, then others."""
         yield self.plain
+        if not self.plain:
+            return
         for k in range(1, max(map(len, self.ways))):
             yield [own[min(k, len(own) - 1)] for own in self.ways]
 
@@ -97,7 +96,7 @@ def _first(plan: Callable[[Sequence[Division]], Planned], seams: _Seams) -> tupl
             return divisions, plan(divisions)
         except LayoutError as error:
             refusal = refusal or error
-    raise refusal or LayoutError("no patch is divided")
+    raise refusal or LayoutError("nothing can be laid out")
 
 
 def _sketched(
