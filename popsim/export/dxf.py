@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from popsim.export.job import CREASES, Job, numbered
+from popsim.export.job import CREASES, Job, own_file
 from popsim.export.styles import Colour
 from popsim.geometry.arrays import FloatArray
 from popsim.layout.sheet import Area, Line, Mark, Meaning, Picture, Role, Sheet, Text
@@ -24,10 +24,10 @@ MILLIMETRES = 4
 
 
 def write_dxf(job: Job, path: Path) -> tuple[Path, ...]:
-    """Write each sheet into its own file, `path` with "-1", "-2" ... before the suffix; no pictures."""
+    """Write each sheet into its own file, named as :func:`popsim.export.job.own_file` does; no pictures."""
     written = []
-    for number, sheet in enumerate(job.sheets, 1):
-        own = numbered(path, number)
+    for sheet in job.sheets:
+        own = own_file(path, sheet)
         with _fixed_dates():
             _document(sheet, job).saveas(own)
         written.append(own)

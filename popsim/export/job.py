@@ -46,6 +46,6 @@ class Job:
         return None if stock is None else stock.crease_advice
 
 
-def numbered(path: Path, number: int) -> Path:
-    """Path of one sheet's file: "-1", "-2" ... before the suffix."""
-    return path.with_name(f"{path.stem}-{number}{path.suffix}")
+def own_file(path: Path, sheet: Sheet) -> Path:
+    """Path of one sheet's file: "-1", "-1-reverse", "-2" ... or "-notes" before the suffix of `path`."""
+    return path.with_name(f"{path.stem}-{sheet.suffix}{path.suffix}")

@@ -33,7 +33,7 @@ def export(
     Parameters
     ----------
     path:
-        The file. Formats with one sheet per file put "-1", "-2" ... before its suffix.
+        The file. Formats with one sheet per file put "-1", "-1-reverse", "-2" ... or "-notes" before its suffix.
     format:
         A name in :data:`popsim.export.formats.FORMATS`.
     texture_root:

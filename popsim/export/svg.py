@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from popsim.export.job import CREASES, Job, numbered
+from popsim.export.job import CREASES, Job, own_file
 from popsim.export.styles import WHITE, Colour, Style
 from popsim.export.textures import packed_texture
 from popsim.geometry.arrays import FloatArray
@@ -18,10 +18,10 @@ ANCHORS = {"start": "start", "middle": "middle", "end": "end"}
 
 
 def write_svg(job: Job, path: Path) -> tuple[Path, ...]:
-    """Write each sheet into its own file, `path` with "-1", "-2" ... before the suffix."""
+    """Write each sheet into its own file, named as :func:`popsim.export.job.own_file` does."""
     written = []
-    for number, sheet in enumerate(job.sheets, 1):
-        own = numbered(path, number)
+    for sheet in job.sheets:
+        own = own_file(path, sheet)
         own.write_text(_drawing(sheet, job), encoding="utf-8")
         written.append(own)
     return tuple(written)

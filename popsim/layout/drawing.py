@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from popsim.layout.furniture import furnish
+from popsim.layout.furniture import furnish, measures
 from popsim.layout.layout import Layout
 from popsim.layout.notes import note_marks, notes_fit
 from popsim.layout.piece_marks import piece_marks, reverse_marks
@@ -32,7 +32,8 @@ def draw_sheets(
         Follow each sheet by its reverse, mirrored, to be printed on the back of it (flipped on the long edge): the
         places that are glued there stand on it instead of numbers in brackets on the front.
     notes:
-        What to check: on the last sheet above its pieces where there is room, else on a sheet of their own.
+        What to check: on the last sheet above its pieces where there is room, else on a page of their own, whose
+        name says that there is nothing to cut.
     """
     sheets = []
     for number in range(layout.sheet_count):
@@ -42,21 +43,23 @@ def draw_sheets(
         if notes and number == layout.sheet_count - 1 and notes_fit(layout, notes):
             marks += note_marks(layout, notes)
         marks += furnish(layout.paper, layout.settings, title, footer=footer, banner=banner)
-        sheets.append(_sheet(layout, title, marks))
+        sheets.append(_sheet(layout, title, marks, f"{number + 1}"))
         if two_sided:
             width = layout.paper.width
             behind = [mark for placement in own for mark in reverse_marks(layout, placement, width)]
-            sheets.append(_sheet(layout, f"{title}, reverse", [*behind, *_headings(layout, title, banner)]))
+            behind += [*_headings(layout, title, banner), *measures(layout.settings.frame(layout.paper), footer)]
+            sheets.append(_sheet(layout, f"{title}, reverse", behind, f"{number + 1}-reverse"))
     if notes and not notes_fit(layout, notes):
-        sheets.append(_sheet(layout, "Notes", list(note_marks(layout, notes))))
+        furniture = furnish(layout.paper, layout.settings, "Notes", footer=footer, banner=banner)
+        sheets.append(_sheet(layout, "Notes", [*note_marks(layout, notes), *furniture], "notes"))
     return tuple(sheets)
 
 
-def _sheet(layout: Layout, title: str, marks: list[Mark]) -> Sheet:
+def _sheet(layout: Layout, title: str, marks: list[Mark], suffix: str) -> Sheet:
     """Marks in the order of their roles: pictures at the bottom, texts near the top."""
     order: list[Meaning] = list(Role)
     marks.sort(key=lambda mark: order.index(mark.role))
-    return Sheet(title, layout.paper.width, layout.paper.height, tuple(marks))
+    return Sheet(title, layout.paper.width, layout.paper.height, tuple(marks), suffix)
 
 
 def _headings(layout: Layout, title: str, banner: str | None) -> list[Mark]:

@@ -50,13 +50,18 @@ def furnish(
     """Marks in the bands above and below the pieces."""
     frame = settings.frame(paper)
     yield from _head(frame, settings.stock, title, banner)
+    yield from measures(frame, footer)
+    yield from _legend(frame.left, frame.right, frame.low + 9.7)
+    yield from REGISTRATIONS[settings.registration].marks(paper)
+
+
+def measures(frame: Frame, footer: str) -> Iterator[Mark]:
+    """The scale bars, what to do with them, and the line that reproduces the sheet, at its foot."""
     beside = frame.width >= BARS + text_width(NOTE, SMALL)
     yield from _footer(footer if beside else f"{NOTE} {footer}", frame)
     yield from _scale_bars(frame.left, frame.low + 5.2)
     if beside:
         yield Text(Role.LABEL, NOTE, np.array([frame.left + BARS, frame.low + 5.2]), SMALL)
-    yield from _legend(frame.left, frame.right, frame.low + 9.7)
-    yield from REGISTRATIONS[settings.registration].marks(paper)
 
 
 def _head(frame: Frame, stock: Stock | None, title: str, banner: str | None) -> Iterator[Mark]:

@@ -42,7 +42,7 @@ class Pass(NamedTuple):
     effort: int
 
 
-COARSE, FINE = Pass(2.0, 60, 60_000_000), Pass(1.0, 20, 45_000_000)
+COARSE, FINE = Pass(2.0, 60, 100_000_000), Pass(1.0, 20, 100_000_000)
 
 MORE = 2
 """Times as long orders are changed while sheets are not well filled: saving one is worth less of a wait."""

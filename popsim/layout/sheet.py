@@ -107,12 +107,16 @@ Mark = Line | Area | Text | Picture
 
 @dataclass(frozen=True, eq=False)
 class Sheet:
-    """One side of a sheet of paper: its size in mm, and marks in drawing order."""
+    """One side of a sheet of paper: its size in mm, and marks in drawing order.
+
+    `suffix` is what its file ends with where each has its own.
+    """
 
     name: str
     width: float
     height: float
     marks: tuple[Mark, ...]
+    suffix: str = ""
 
     def of(self, *roles: Meaning) -> tuple[Mark, ...]:
         """The marks of some roles, in drawing order."""

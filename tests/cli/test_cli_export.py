@@ -51,7 +51,7 @@ def test_a_design_too_large_for_its_sheet_is_refused_with_the_scale_that_fits(po
     done = popsim("export", design, "--paper", "50x70mm")
     assert done.returncode == 2
     assert len(done.stderr.splitlines()) == 1
-    assert done.stderr.startswith("popsim: G measures 90.0 x 120.0 mm, more than 50x70mm holds within its margins")
+    assert done.stderr.startswith("popsim: G measures 90.0 x 120.0 mm without flaps, more than the 34 x 36 mm")
     assert "scale the design by 0." in done.stderr
     assert "Traceback" not in done.stderr
     assert not design.with_suffix(".pdf").exists()
