@@ -113,9 +113,10 @@ def lay_out(
     def plan(divisions: Sequence[Division], barred: frozenset[str] = frozenset()) -> Planned:
         return _planned(design, divisions, room, settings, in_the_way, barred)
 
-    def place(planned: Planned) -> Laid:
+    def place(planned: Planned, *, patient: bool = False) -> Laid:
         names = [piece.name for piece in planned.pieces]
-        return Laid(planned, tuple(nest(planned.outlines, names, room, settings.apart, settings.grain)))
+        places = nest(planned.outlines, names, room, settings.apart, settings.grain, patient=patient)
+        return Laid(planned, tuple(places))
 
     plain = plain_divisions(design, room, settings)
 
@@ -129,6 +130,8 @@ def lay_out(
     )
     for other in rest:
         best = other if is_worth(other.waste(room), best.waste(room)) else best
+    if best.waste(room).lacking:
+        best = min(best, place(best.planned, patient=True), key=lambda laid: laid.waste(room))
     return _finished(best, paper, settings)
 
 

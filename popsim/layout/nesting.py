@@ -41,11 +41,15 @@ class Pass(NamedTuple):
     changes: int
     effort: int
 
+    def longer(self, times: int) -> "Pass":
+        """The same for this many times as long."""
+        return Pass(self.cell, times * self.changes, times * self.effort)
+
 
 COARSE, FINE = Pass(2.0, 60, 100_000_000), Pass(1.0, 20, 100_000_000)
 
-MORE = 2
-"""Times as long orders are changed while sheets are not well filled: saving one is worth less of a wait."""
+MORE = 3
+"""Times as long orders are changed by who is patient."""
 
 SQUARE = 1e-3
 """Radians; a smallest rectangle that is turned by less is upright."""
@@ -58,7 +62,13 @@ DENSE = 0.85
 
 
 def nest(
-    shapes: list["Polygon"], names: list[str], room: tuple[float, float], gap: float, grain: bool
+    shapes: list["Polygon"],
+    names: list[str],
+    room: tuple[float, float],
+    gap: float,
+    grain: bool,
+    *,
+    patient: bool = False,
 ) -> list[Place]:
     """Place all shapes without overlap on as few sheets as the orders tried need.
 
@@ -72,6 +82,8 @@ def nest(
         Least distance between two shapes, mm.
     grain:
         Turn by half turns only.
+    patient:
+        Try more orders.
 
     Raises
     ------
@@ -83,10 +95,11 @@ def nest(
         if not own:
             raise LayoutError(f"piece {names[index]} does not go onto the sheet at any angle")
     random = Random(0)
-    coarse, fine = (_filler(shapes, angles, room, gap, each.cell) for each in (COARSE, FINE))
-    tried = _climbed(coarse, first_orders(dict(enumerate(shapes)), random), COARSE, random)
+    limits = [each.longer(MORE) if patient else each for each in (COARSE, FINE)]
+    coarse, fine = (_filler(shapes, angles, room, gap, each.cell) for each in limits)
+    tried = _climbed(coarse, first_orders(dict(enumerate(shapes)), random), limits[0], random)
     kept = sorted(tried, key=lambda order: (tried[order].waste, order))[:BEST]
-    again = _climbed(fine, kept, FINE, random)
+    again = _climbed(fine, kept, limits[1], random)
     best = min((tried[kept[0]], *again.values()), key=lambda filling: filling.waste)
     places = _emptiest_last(best.places, fine.shares)
     last = [k for k, place in enumerate(places) if place.sheet == best.waste.sheets - 1]
@@ -156,14 +169,15 @@ def _filler(
 
 
 def _climbed(filler: Filler, orders: Iterable[Order], limits: Pass, random: Random) -> dict[Order, Filling]:
-    """All orders tried, with what they give: those given, then small changes to the best."""
-    tried = {order: filler.filling(order) for order in orders}
-    best = min(tried, key=lambda order: (tried[order].waste, order))
-    for turn in range(MORE * limits.changes):
-        urgency = MORE if tried[best].waste.lacking else 1
-        if turn >= urgency * limits.changes or filler.effort > urgency * limits.effort:
+    """All orders tried until one suffices, with what they give: those given, then small changes to the best."""
+    tried: dict[Order, Filling] = {}
+    for order in orders:
+        tried[order] = filler.filling(order)
+        if suffices(tried[order].waste, filler.shares):
             break
-        if suffices(tried[best].waste, filler.shares):
+    best = min(tried, key=lambda order: (tried[order].waste, order))
+    for _ in range(limits.changes):
+        if filler.effort > limits.effort or suffices(tried[best].waste, filler.shares):
             break
         order = best.changed(random)
         tried[order] = filler.filling(order)
