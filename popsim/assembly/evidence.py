@@ -1,46 +1,64 @@
 """What the execution of a step has shown, for the report."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
-
-from popsim.assembly.reference import Reference
 
 DIGITS = 4
 """Decimals of lengths in the report, mm."""
 
-FOLDS_FLAT = "along the motion simulated with all joints: it keeps those made so far; a hand leads loose parts"
+FOLDS_FLAT = (
+    "what hangs together after a step is folded on its own in MuJoCo, with its own joints only: one hinge is led "
+    "by hand for each free motion it has, to the angles of the finished pop-up as that closes; the rest follows"
+)
 """What a report means by folding flat in the middle of the assembly."""
+
+PLAY = 0.3
+"""mm; how far joints may open on the way, and how thick a flat stack of paper without thickness may be: what paper
+gives."""
+
+TOUCH = 0.05
+"""mm by which parts may run through each other, beyond what joints open: as for the finished pop-up."""
 
 
 @dataclass(frozen=True)
 class Folded:
-    """How the partial structure folds flat along the recorded motion of the finished pop-up.
-
-    It has fewer joints than that, so the motion that was integrated with all of them keeps those it has; how well
-    is measured. A run of its own could show no more: what hangs loose in it moves as a hand leads it.
+    """How a partial structure folded in a simulation of its own.
 
     Attributes
     ----------
     parts:
         Number of its parts.
+    led:
+        Number of hinges that hands led: one for each of its free motions.
     gap:
-        How far any of its joints opens on the way, at most, mm.
+        How far any of its joints opened on the way, at most, mm.
     thickness:
-        Greatest distance between the planes in which its parts lie in the end, mm.
+        Greatest height of any part over the plane in which they lie in the end, mm.
+    crossing:
+        How deep two of its parts ran through each other on the way, at most, mm.
+    crossed:
+        Ids of these two; empty where none did.
     """
 
     parts: int
+    led: int
     gap: float
     thickness: float
+    crossing: float
+    crossed: tuple[str, ...] = ()
 
-    @staticmethod
-    def along(reference: Reference, parts: Iterable[str], joints: Iterable[str]) -> "Folded":
-        """What hangs together by some joints, folded."""
-        names = list(parts)
-        low, high = zip(*(reference.closed_heights[name] for name in names), strict=True)
-        gap = max((reference.gaps[name] for name in joints), default=0.0)
-        return Folded(len(names), gap, max(high) - min(low))
+    @property
+    def refusal(self) -> str | None:
+        """Why it does not fold flat; None where it does."""
+        if self.gap > PLAY:
+            return f"what is glued then does not fold flat: a joint opens by {self.gap:.1f} mm"
+        if self.thickness > PLAY:
+            return f"what is glued then does not fold flat: {self.thickness:.1f} mm stand up"
+        if self.crossing > TOUCH + self.gap:
+            through = " through ".join(self.crossed)
+            return f"what is glued then does not fold flat: {through} by {self.crossing:.1f} mm"
+        return None
 
 
 @dataclass(frozen=True)
@@ -62,7 +80,7 @@ class Evidence:
     degrees:
         Fold angle at which things are held open for it; None where they lie flat.
     folded:
-        How what hangs together afterwards folds flat; None where no way was found.
+        How what hangs together afterwards folded on its own; None where no way was found.
     """
 
     way: str
@@ -84,6 +102,8 @@ class Evidence:
             "poses_without_collision": self.samples,
             "held_at_degrees": self.degrees,
             "parts_together": self.folded.parts,
+            "hinges_led_by_hand": self.folded.led,
             "loop_gap_mm": round(self.folded.gap, DIGITS),
             "folded_thickness_mm": round(self.folded.thickness, DIGITS),
+            "crossing_mm": round(self.folded.crossing, DIGITS),
         }

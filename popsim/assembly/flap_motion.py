@@ -1,5 +1,7 @@
 """How a flap turns about its crease."""
 
+from functools import cached_property
+
 import numpy as np
 
 from popsim.assembly.scene import FlapKey, flap_key
@@ -35,6 +37,11 @@ class FlapMotion:
     def key(self) -> FlapKey:
         """Key of the flap in scenes."""
         return flap_key(self.flap)
+
+    @cached_property
+    def landed(self) -> FloatArray:
+        """Motion (4, 4) of the flap onto its place, both in the open pose."""
+        return self.turned(self.glued)
 
     def turned(self, angle: float) -> FloatArray:
         """Motion (4, 4) of the flap against its carrier in the open pose, turned by `angle`, rad."""

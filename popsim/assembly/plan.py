@@ -5,7 +5,8 @@ from typing import Any
 
 from popsim.assembly.at_once import glued_together
 from popsim.assembly.ease import Ease, ease_of
-from popsim.assembly.evidence import Evidence, Folded
+from popsim.assembly.evidence import Evidence
+from popsim.assembly.folding import Folding
 from popsim.assembly.kind import StepKind
 from popsim.assembly.kit import Kit
 from popsim.assembly.proof import Proof
@@ -65,7 +66,8 @@ def plan_assembly(layout: Layout, sweep: Sweep) -> AssemblyPlan:
 
     Returns
     -------
-    The plan. Joints for which no way was found come last; their steps carry evidence that says why.
+    The plan. Joints for which no way was found come last; their steps carry evidence that says why. So do steps
+    after which what is glued does not fold flat in a simulation of its own.
     """
     kit = Kit(layout, sweep)
     found = find_order(kit)
@@ -87,7 +89,7 @@ class _Steps:
 
     def __init__(self, kit: Kit, numbered: Layout) -> None:
         self.made: list[Step] = []
-        self._kit, self._numbered = kit, numbered
+        self._kit, self._numbered, self._folding = kit, numbered, Folding(kit)
         self._pieces: set[str] = set()
         self._joints: frozenset[str] = frozenset()
         self._folded: list[str] = []
@@ -100,17 +102,19 @@ class _Steps:
             return
         before, after, moved = scenes(self._kit, proof, self._joints)
         whole = {name for bundle in proof.apart for name in bundle.joints} | set(proof.joints)
+        folded = self._folding.folded(proof.motion, whole)
+        refusal = folded.refusal
         evidence = Evidence(
-            proof.way.value,
-            True,
+            refusal or proof.way.value,
+            refusal is None,
             proof.way.lying,
             proof.blind,
             max(len(poses) for poses in proof.motion.values()),
             proof.degrees,
-            Folded.along(self._kit.reference, proof.motion, sorted(whole)),
+            folded,
         )
         kind = StepKind.LAY if proof.way in (Way.LAID, Way.SLID) else StepKind.FOLD
-        words = way_text(proof.way)
+        words = way_text(proof.way) if refusal is None else unproved_text(refusal)
         self._glue(kind, proof.joints, evidence, words, before=before, after=after, motion=moved)
 
     def doubt(self, name: str, order: Order) -> None:

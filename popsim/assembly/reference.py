@@ -1,7 +1,7 @@
 """The recorded motion of the finished pop-up, part by part.
 
-What has all joints made follows this motion; with fewer joints it can still follow it, and more. So every partial
-structure can be folded flat, and opened again, along the poses that were recorded for the whole.
+What has all joints made follows this motion; with fewer joints it can still follow it, and more. So this is where
+hands lead what is half made; whether it folds flat is simulated (:mod:`popsim.assembly.folding`).
 """
 
 from functools import cached_property
@@ -9,7 +9,6 @@ from functools import cached_property
 import numpy as np
 
 from popsim.geometry.arrays import FloatArray
-from popsim.geometry.rigid import transform
 from popsim.layout import Layout
 from popsim.simulation import Sweep
 
@@ -54,26 +53,6 @@ class Reference:
     def flat(self) -> dict[str, FloatArray]:
         """Poses (4, 4) of all parts as they lie nearly flat."""
         return self.at(NEARLY_FLAT)
-
-    @cached_property
-    def gaps(self) -> dict[str, float]:
-        """How far the two sides of each joint come apart on the way, at most, mm, by joint id."""
-        found = {}
-        for joint in self.layout.joints:
-            ends = np.concatenate(joint.stretches)
-            first, second = (transform(self.poses[name], ends) for name in joint.parts)
-            found[joint.id] = float(np.linalg.norm(first - second, axis=-1).max())
-        return found
-
-    @cached_property
-    def closed_heights(self) -> dict[str, tuple[float, float]]:
-        """Least and greatest height of each part over the plane of the closed card, mm, by id."""
-        found = {}
-        for name, part in self.layout.parts.items():
-            corners = part.plane.lift(np.array(part.polygon.exterior.coords))
-            heights = transform(self.poses[name][-1], corners) @ STACKED
-            found[name] = float(heights.min()), float(heights.max())
-        return found
 
 
 STACKED = np.array([0.0, 1.0, 0.0])

@@ -49,7 +49,7 @@ def _flap(
     motion: FlapMotion, poses: Poses, together: Poses, made: frozenset[str], now: frozenset[str]
 ) -> FloatArray:
     flap = motion.flap
-    glued = motion.turned(motion.glued)
+    glued = motion.landed
     if flap.joint.id in made:
         return np.asarray(poses[flap.target] @ glued)
     if flap.joint.id in now:

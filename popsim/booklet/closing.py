@@ -36,7 +36,7 @@ def closing(step: Step, layout: Layout, sweep: Sweep) -> Step:
 def _scene(poses: dict[str, FloatArray], layout: Layout, angle: float) -> Scene:
     """All flaps lie where they are glued."""
     flaps = {
-        flap_key(motion.flap): poses[motion.flap.target] @ motion.turned(motion.glued)
+        flap_key(motion.flap): poses[motion.flap.target] @ motion.landed
         for motion in flap_motions(layout).values()
     }
     return Scene(poses, flaps, angle)

@@ -21,12 +21,12 @@ class TreeJoint:
 
 @dataclass(frozen=True)
 class Forest:
-    """The hinges but the central fold, split in two.
+    """The hinges but those between roots, split in two.
 
     Attributes
     ----------
     joints:
-        One per patch that is no page; parents come before their children.
+        One per patch that is no root; parents come before their children.
     loops:
         The hinges that close loops, in the order of the design.
     """
@@ -40,11 +40,11 @@ class Forest:
 
     @cached_property
     def levels(self) -> tuple[list[int], ...]:
-        """Positions of the joints by their number from the page: those of one level hang on earlier ones alone."""
-        depth = dict.fromkeys(PAGES, 0)
+        """Positions of the joints by their number from the root: those of one level hang on earlier ones alone."""
+        depth: dict[str, int] = {}
         found: list[list[int]] = []
         for index, joint in enumerate(self.joints):
-            level = depth[joint.parent]
+            level = depth.get(joint.parent, 0)
             depth[joint.child] = level + 1
             if level == len(found):
                 found.append([])
@@ -59,28 +59,30 @@ class Forest:
         return found
 
 
-def spanning_forest(design: Design, guarded: frozenset[str] = frozenset()) -> Forest:
-    """Split the hinges of `design`.
+def spanning_forest(
+    design: Design, guarded: frozenset[str] = frozenset(), roots: tuple[str, ...] = PAGES
+) -> Forest:
+    """Split the hinges of `design`; trees hang on the patches `roots`, which the pages are unless told otherwise.
 
     Flat creases come first, then the hinges named in `guarded`, because a joint can be limited to one side and a
-    loop cannot; then hinges near the pages, which keeps the chains short.
+    loop cannot; then hinges near the roots, which keeps the chains short.
     """
-    depth = _depths(design)
-    hinges = [hinge for hinge in design.hinges if set(hinge.patches) != set(PAGES)]
+    depth = _depths(design, roots)
+    hinges = [hinge for hinge in design.hinges if not set(hinge.patches) <= set(roots)]
 
     def rank(hinge: Hinge) -> tuple[bool, bool, int]:
         return hinge.crease is None, hinge.id not in guarded, min(depth[name] for name in hinge.patches)
 
     ranked = sorted(hinges, key=rank)
-    chosen = _kruskal(design, ranked)
-    joints = _orient(design, chosen)
+    chosen = _kruskal(design, ranked, roots)
+    joints = _orient(design, chosen, roots)
     return Forest(joints, tuple(hinge for hinge in hinges if hinge.id not in chosen))
 
 
-def _depths(design: Design) -> dict[str, int]:
-    """Hinges between each patch and the nearest page."""
-    depth = dict.fromkeys(PAGES, 0)
-    queue = deque(PAGES)
+def _depths(design: Design, roots: tuple[str, ...]) -> dict[str, int]:
+    """Hinges between each patch and the nearest root."""
+    depth = dict.fromkeys(roots, 0)
+    queue = deque(roots)
     while queue:
         name = queue.popleft()
         for hinge in design.hinges_by_patch[name]:
@@ -91,10 +93,9 @@ def _depths(design: Design) -> dict[str, int]:
     return depth
 
 
-def _kruskal(design: Design, ranked: list[Hinge]) -> set[str]:
-    """Ids of the hinges that join separate trees, the pages being one tree from the start."""
-    root = {patch.id: patch.id for patch in design.patches}
-    root[BACKDROP_ID] = GROUND_ID
+def _kruskal(design: Design, ranked: list[Hinge], roots: tuple[str, ...]) -> set[str]:
+    """Ids of the hinges that join separate trees, the roots being one tree from the start."""
+    root = {patch.id: patch.id for patch in design.patches} | dict.fromkeys(roots, roots[0])
 
     def find(name: str) -> str:
         while root[name] != name:
@@ -111,10 +112,10 @@ def _kruskal(design: Design, ranked: list[Hinge]) -> set[str]:
     return chosen
 
 
-def _orient(design: Design, chosen: set[str]) -> tuple[TreeJoint, ...]:
+def _orient(design: Design, chosen: set[str], roots: tuple[str, ...]) -> tuple[TreeJoint, ...]:
     joints = []
-    seen = set(PAGES)
-    queue = deque(PAGES)
+    seen = set(roots)
+    queue = deque(roots)
     while queue:
         name = queue.popleft()
         for hinge in design.hinges_by_patch[name]:

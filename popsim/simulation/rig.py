@@ -8,19 +8,15 @@ from typing import Any
 import numpy as np
 
 from popsim.design import Design
-from popsim.geometry.arrays import FloatArray, cross
+from popsim.geometry.arrays import FloatArray
 from popsim.geometry.frame import OPEN
 from popsim.simulation.engine import load_mujoco
 from popsim.simulation.forest import PAGES, Forest, spanning_forest
 from popsim.simulation.jacobian import LoopJacobian
 from popsim.simulation.mjcf import Recipe, size_of, write_mjcf
+from popsim.simulation.pressing import pressing_wrenches
 from popsim.simulation.solver import Pacing
 from popsim.simulation.turning import Turn, turns_of
-
-PRESSING = 3e5
-"""Acceleration over height, 1/s^2: takes off a third of what is left in each step from rest."""
-
-Y_AXIS = np.array([0.0, 1.0, 0.0])
 
 
 class Rig:
@@ -132,15 +128,9 @@ class Rig:
         With both pages on each other some parts hang on one line alone, the back walls of a v-fold for one, and
         nothing but the pages lays them flat.
         """
-        bodies, turns = self._bodies, self.data.xmat.reshape(-1, 3, 3)
-        force = -PRESSING * self.model.body_mass[bodies]
-        torque = PRESSING * self.model.body_inertia[bodies, :1]
-        pushes = np.zeros((len(bodies), 6))
         for _ in range(count):
-            normals = (turns[bodies] @ self._normals[:, :, None])[..., 0]
-            pushes[:, 1] = force * self.data.xipos[bodies, 1]
-            pushes[:, 3:] = torque * cross(normals, np.sign(normals[:, 1:2]) * Y_AXIS)
-            self.data.xfrc_applied[bodies] = pushes
+            pushes = pressing_wrenches(self.model, self.data, self._bodies, self._normals)
+            self.data.xfrc_applied[self._bodies] = pushes
             self.settle(1)
         self.push(None)
 

@@ -1,0 +1,149 @@
+"""What is half made is folded on its own: laws over steps, and structures that must not fold."""
+
+from functools import cache
+
+import numpy as np
+import pytest
+from folding_designs import mismatched_box
+from hypothesis import given
+from hypothesis import strategies as st
+
+from popsim.assembly import plan_assembly
+from popsim.assembly.evidence import PLAY, Folded
+from popsim.assembly.folding import Folding
+from popsim.assembly.kit import Kit
+from popsim.assembly.unmaking import find_order
+from popsim.design import Card, Design, Hinge
+from popsim.layout import lay_out
+from popsim.mechanisms import assemble, card_pair
+from popsim.mechanisms.box_fold import BoxFold
+from popsim.simulation import fold_design
+from popsim.simulation.partial import Crossings, Structure, fold_partial
+from popsim.simulation.partial.hands import led_joints
+from popsim.verification.random_designs import random_design
+
+CARD = Card(x=(-80, 80), depth=120)
+TIGHT = 1e-3
+"""mm; loops of what folds close to this and better."""
+
+
+@cache
+def box() -> Design:
+    return assemble(CARD, [BoxFold.plain("M1", card_pair(CARD), 20, 30, (-30, 30))])
+
+
+@cache
+def kit() -> Kit:
+    return Kit(lay_out(box()), fold_design(box(), 45).sweep)
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_what_is_glued_folds_flat_after_each_step(seed: int) -> None:
+    design = random_design(seed, mechanisms=(1, 5)).design
+    plan = plan_assembly(lay_out(design), fold_design(design, 45).sweep)
+    folds = [step.evidence.folded for step in plan.steps if step.evidence is not None]
+    for folded in folds:
+        assert folded is not None
+        assert folded.gap < TIGHT
+        assert folded.thickness < 0.05
+        assert folded.crossing < 0.05
+        assert folded.led >= 1
+    last = folds[-1]
+    assert last is not None
+    assert last.led == 1, "the finished card is led by its own fold alone"
+    assert last.parts == len(plan.layout.parts)
+
+
+def test_hands_lead_what_is_free_and_ever_less_of_it() -> None:
+    """In a box each loop that is closed takes freedom away; nothing that is glued gives any back."""
+    folding, order = Folding(kit()), [proof for proof in find_order(kit()).proofs if proof.joints]
+    led = [
+        folding.folded(proof.motion, {name for one in proof.apart for name in one.joints} | set(proof.joints)).led
+        for proof in order
+    ]
+    assert max(led) > 1
+    assert led[-1] == 1
+
+
+def moved_hinge(name: str, shift: tuple[float, float, float]) -> Design:
+    """The box with one hinge at another place on its second patch: glued where it does not belong."""
+    hinges = [
+        hinge
+        if hinge.id != name
+        else hinge.model_copy(update={"axis": tuple(tuple(np.add(end, shift).tolist()) for end in hinge.axis)})
+        for hinge in box().hinges
+    ]
+    return Design(card=CARD, patches=box().patches, hinges=tuple(Hinge(**h.model_dump()) for h in hinges))
+
+
+def folded(design: Design) -> tuple[float, float]:
+    """Gap and thickness of a design that is led as the box moves."""
+    structure = Structure.of(design, frozenset(), "G")
+    reference = kit().reference
+    frames = range(1, len(reference.theta))
+    poses = np.stack([reference.poses[patch.id][1:] for patch in design.patches], axis=1)
+    assert len(frames) == len(poses)
+    found = fold_partial(structure, Crossings(design), reference.theta[1:], poses)
+    return found.gap, found.thickness
+
+
+def test_what_is_glued_to_the_wrong_place_does_not_fold() -> None:
+    """Negative control: a side that stands 4 mm beside its place tears its loops; in its place it does not."""
+    foot = next(hinge.id for hinge in box().hinges if set(hinge.patches) == {"G", "M1.L"})
+    assert max(folded(moved_hinge(foot, (0, 0, 0)))) < 0.01
+    assert folded(moved_hinge(foot, (0, 0, 4)))[0] > PLAY
+
+
+def test_a_box_of_wrong_measures_folds_until_its_loop_is_closed() -> None:
+    """Negative control: where b + r is not c + t_b, steps that close a loop are refused, with the reason."""
+    wrong = mismatched_box(2)
+    plan = plan_assembly(lay_out(wrong), fold_design(wrong, 45).sweep)
+    told = [step.evidence for step in plan.steps if step.evidence is not None]
+    assert told[0].feasible
+    assert not told[-1].feasible
+    assert all("does not fold flat" in evidence.way for evidence in told if not evidence.feasible)
+    assert plan.ease.unproved == sum(len(step.joints) for step in plan.unproved)
+
+
+def test_plates_that_run_through_each_other_are_found() -> None:
+    """Negative control: the backbone, turned through the side of the box."""
+    reference, design = kit().reference, box()
+    sweep = fold_design(design, 45).sweep
+    crossings = Crossings(design)
+    assert crossings.deepest(sweep)[0] < 0.05
+    poses = sweep.poses.copy()
+    poses[:, sweep.index["M1.C"], 1, 3] += 25.0
+    poses[:, sweep.index["M1.C"], :3, :3] = poses[:, sweep.index["M1.L"], :3, :3]
+    turn = np.radians(40.0)
+    tilt = np.array([[1, 0, 0], [0, np.cos(turn), -np.sin(turn)], [0, np.sin(turn), np.cos(turn)]])
+    poses[:, sweep.index["M1.C"], :3, :3] = tilt @ poses[:, sweep.index["M1.C"], :3, :3]
+    depth, pair = crossings.deepest(type(sweep)(design, sweep.theta, poses, sweep.states, complete=True))
+    assert depth > 1.0
+    assert "M1.C" in pair
+    assert reference.folds_flat
+
+
+@given(st.integers(1, 6), st.integers(0, 8), st.integers(0, 3), st.booleans())
+def test_what_is_not_led_is_decided_by_the_loops(count: int, gaps: int, less: int, on_card: bool) -> None:
+    """Held, the led joints leave nothing free; of the others none could be left out."""
+    rng = np.random.default_rng(count + 10 * gaps + 100 * less)
+    matrix = rng.normal(size=(gaps, max(count - less, 0))) @ rng.normal(size=(max(count - less, 0), count))
+    fold = 0 if on_card else None
+    led = led_joints(matrix, fold)
+    rest = [k for k in range(count) if k not in led]
+    assert len(led) >= 1
+    assert fold is None or fold in led
+    if rest:
+        assert np.linalg.matrix_rank(matrix[:, rest]) == len(rest)
+    if fold is None and np.linalg.matrix_rank(matrix) < count:
+        assert len(led) == count - np.linalg.matrix_rank(matrix)
+
+
+@pytest.mark.parametrize(
+    ("measured", "word"),
+    [((1.0, 0.0, 0.0), "opens"), ((0.0, 1.0, 0.0), "stand"), ((0.0, 0.0, 0.2), "through"), ((0.0, 0.0, 0.0), "")],
+)
+def test_each_measure_has_its_reason(measured: tuple[float, float, float], word: str) -> None:
+    refusal = Folded(3, 1, *measured, ("a", "b")).refusal
+    assert (refusal is None) == (not word)
+    assert word in (refusal or "")
