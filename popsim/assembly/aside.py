@@ -2,6 +2,7 @@
 
 from collections import deque
 from collections.abc import Callable, Iterable
+from typing import NamedTuple
 
 from popsim.assembly.bundle import Bundle
 from popsim.assembly.cut import Cut
@@ -17,6 +18,19 @@ SWINGS = 4
 
 Chain = tuple[Proof, ...]
 """Steps one after another; the last undoes something."""
+
+
+Opened = frozenset[tuple[str, ...]]
+"""The lines that are open, each as the ids of its joints."""
+
+
+class _Swing(NamedTuple):
+    """A swing that may be tried next: made only when its turn comes, for most never does."""
+
+    trial: Trial
+    cut: Cut
+    path: Chain
+    opened: Opened
 
 
 def swung_aside(bundle: Bundle, stack: Stack, number: int, wanted: Callable[[Iterable[Cut]], list[Cut]]) -> Chain:
@@ -36,20 +50,31 @@ def swung_aside(bundle: Bundle, stack: Stack, number: int, wanted: Callable[[Ite
     The swings and what is undone after them; empty where nothing was found. States in which the same lines are
     open count as one.
     """
-    start = frozenset[tuple[str, ...]]()
-    seen = {start}
-    waiting: deque[tuple[Bundle, Chain, frozenset[tuple[str, ...]]]] = deque([(bundle.folded(), (), start)])
-    for _ in range(STATES):
-        if not waiting:
-            break
-        now, path, opened = waiting.popleft()
+    seen: set[Opened] = set()
+    waiting: deque[_Swing] = deque()
+    now: Bundle = bundle.folded()
+    path: Chain = ()
+    opened: Opened = frozenset()
+    while True:
+        seen.add(opened)
         trial = Trial(now, stack, number + len(path))
         for cut in wanted(trial.cuts):
             if isinstance(proof := trial.cut(cut), Proof):
                 return (*path, proof)
-        for cut in trial.cuts if len(path) < SWINGS else ():
-            after = opened | {cut.line}
-            if not cut.taken and after not in seen and isinstance(proof := trial.cut(cut), Proof):
-                seen.add(after)
-                waiting.append((proof.apart[0], (*path, proof), after))
-    return ()
+        if len(seen) == STATES:
+            return ()
+        if len(path) < SWINGS:
+            waiting.extend(_Swing(trial, cut, path, opened | {cut.line}) for cut in trial.cuts if not cut.taken)
+        found = _next(waiting, seen)
+        if found is None:
+            return ()
+        now, path, opened = found
+
+
+def _next(waiting: deque[_Swing], seen: set[Opened]) -> tuple[Bundle, Chain, Opened] | None:
+    """The first swing that can be made and leads to what was not seen: what lies there then, and how; or None."""
+    while waiting:
+        swing = waiting.popleft()
+        if swing.opened not in seen and isinstance(proof := swing.trial.cut(swing.cut), Proof):
+            return proof.apart[0], (*swing.path, proof), swing.opened
+    return None

@@ -1,8 +1,10 @@
 """Where a bundle can come apart: parts that lie on top of all others, and the joints that hold them."""
 
+from collections import Counter
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
-from functools import partial
+from functools import partial, reduce
+from operator import or_
 
 from popsim.assembly.bundle import Bundle, Sheet
 from popsim.assembly.kit import ONE_LINE
@@ -64,19 +66,24 @@ def _on_top(bundle: Bundle, stack: Stack) -> Iterator[tuple[frozenset[str], int]
     """Groups of parts on which no others lie, and on which side of the stack they are."""
     roll = bundle.kit.roll
     whole = roll.mask(bundle.parts)
-    seeds = list(dict.fromkeys(roll.mask(seed) for seed in _seeds(bundle)))
+    seeds = list(dict.fromkeys(_seeds(bundle)))
     for side in (1, -1):
         above = _above(bundle, stack, side)
+        piles = [spread(1 << place, above, whole) if whole >> place & 1 else 0 for place in range(len(above))]
+        tried: set[int] = set()
         known: set[int] = set()
         for seed in seeds:
-            moved = spread(seed, above, whole)
+            moved = reduce(or_, (piles[place] for place in places(seed)))
+            if moved in tried:
+                continue
+            tried.add(moved)
             rest = groups(whole & ~moved, bundle.near)
             if len(rest) > 1:
                 moved = whole & ~max(rest, key=partial(_weight, roll.mask(bundle.kit.grounds)))
             if not rest or moved in known or len(groups(moved, bundle.near)) > 1:
                 continue
             known.add(moved)
-            if moved == spread(moved, above, whole):
+            if not reduce(or_, (above[place] for place in places(moved))) & ~moved:
                 yield roll.names(moved), side
 
 
@@ -98,21 +105,33 @@ def _weight(grounds: int, parts: int) -> tuple[bool, int]:
     return bool(parts & grounds), parts.bit_count()
 
 
-def _seeds(bundle: Bundle) -> Iterator[frozenset[str]]:
-    layout = bundle.kit.layout
-    names = [name for name in layout.parts if name in bundle.parts]
-    homes = {name: layout.parts[name].patch.mechanism for name in names}
-    for home in dict.fromkeys(homes.values()):
-        yield frozenset(name for name in names if homes[name] == home)
+def _seeds(bundle: Bundle) -> Iterator[int]:
+    """What may come off together, as masks: mechanisms, pieces, either side of a joint in one, single parts."""
+    layout, roll, whole = bundle.kit.layout, bundle.kit.roll, bundle.kit.roll.mask(bundle.parts)
+    homes: dict[str | None, int] = {}
+    for name, part in layout.parts.items():
+        homes[part.patch.mechanism] = homes.get(part.patch.mechanism, 0) | roll.mask((name,)) & whole
+    yield from filter(None, homes.values())
+    edges = [roll.mask(joint.parts) for joint in bundle.joints.values()]
+    single = [edge for edge, count in Counter(edges).items() if count == 1]
     for piece in layout.pieces:
-        if not bundle.parts.isdisjoint(piece.motions):
-            own = bundle.only(piece.motions)
-            yield own.parts
-            for joint in own.joints:
-                sides = own.groups(own.parts, (joint,))
-                yield from sides if len(sides) == 2 else ()
-    for name in names:
-        yield frozenset((name,))
+        own = roll.mask(piece.motions) & whole
+        if own:
+            yield own
+            for edge in single:
+                if not edge & ~own:
+                    yield from _sides(own, edge, bundle.near)
+    for place in places(whole):
+        yield 1 << place
+
+
+def _sides(own: int, edge: int, near: list[int]) -> list[int]:
+    """What hangs together on either side of the one joint of two parts, the larger first; none if all does."""
+    without = list(near)
+    for place in places(edge):
+        without[place] &= ~edge
+    found = groups(own, without)
+    return sorted(found, key=int.bit_count, reverse=True) if len(found) == 2 else []
 
 
 def _releases(bundle: Bundle, moved: frozenset[str]) -> Iterator[tuple[tuple[str, ...], tuple[str, ...]]]:
