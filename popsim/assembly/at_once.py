@@ -10,6 +10,10 @@ AT_ONCE = 6
 """Joints that are glued by one motion at most: glue dries."""
 
 
+OPEN_AT_ONCE = 3
+"""The same where all is held open meanwhile: so many flaps are found with the glue on them."""
+
+
 def glued_together(proofs: Iterable[Proof]) -> tuple[Proof, ...]:
     """Steps in their order, with those that are alike and follow each other made one.
 
@@ -28,4 +32,4 @@ def glued_together(proofs: Iterable[Proof]) -> tuple[Proof, ...]:
 
 def _alike(one: Proof, other: Proof) -> bool:
     opened = (one.way, one.degrees, set(one.motion)) == (other.way, other.degrees, set(other.motion))
-    return opened and one.way is Way.CLOSED and len(one.joints) + len(other.joints) <= AT_ONCE
+    return opened and one.way is Way.CLOSED and len(one.joints) + len(other.joints) <= OPEN_AT_ONCE

@@ -116,16 +116,17 @@ class Unmaking:
         return Order(tuple(reversed(self.proofs)), left, self.refusals)
 
     def _undone(self, bundle: Bundle) -> Chain:
-        """The way of least effort: lying and in sight, else lying, else held open; empty where there is none."""
+        """The way of least effort: lying and in sight, else held open in sight, else out of sight; none if none is.
+
+        What is held open is seen and pressed by two fingers; what is out of sight is found by feel, with tweezers.
+        """
+        blind: list[Chain] = []
         for ways in (self._lying, self._opened_up, self._standing):
-            blind: list[Chain] = []
             for chain in ways(bundle):
                 if not chain[-1].blind:
                     return chain
                 blind.append(chain)
-            if blind:
-                return min(blind, key=lambda chain: len(chain[-1].blind))
-        return ()
+        return min(blind, key=lambda chain: len(chain[-1].blind), default=())
 
     def _lying(self, bundle: Bundle) -> Iterator[Chain]:
         """What can be undone lying, the easiest first."""
