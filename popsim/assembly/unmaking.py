@@ -116,7 +116,7 @@ class Unmaking:
         return Order(tuple(reversed(self.proofs)), left, self.refusals)
 
     def _undone(self, bundle: Bundle) -> Chain:
-        """The way of least effort: lying and in sight, else held open in sight, else out of sight; none if none is.
+        """The way of least effort: lying and in sight, else held open in sight, else out of sight; or none.
 
         What is held open is seen and pressed by two fingers; what is out of sight is found by feel, with tweezers.
         """
