@@ -1,5 +1,6 @@
 """The assembly plan: steps in an order that was executed, as data and as text."""
 
+from collections.abc import Collection
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -16,7 +17,7 @@ from popsim.assembly.storyboard import finished, scenes
 from popsim.assembly.unmaking import Order, find_order
 from popsim.assembly.way import Way
 from popsim.assembly.wording import closing_text, cutting_text, folding_text, gluing_text, unproved_text, way_text
-from popsim.layout import Layout
+from popsim.layout import Layout, Piece
 from popsim.simulation import Sweep
 
 
@@ -92,13 +93,13 @@ class _Steps:
         self._kit, self._numbered, self._folding = kit, numbered, Folding(kit)
         self._pieces: set[str] = set()
         self._joints: frozenset[str] = frozenset()
-        self._folded: list[str] = []
+        self._folded: list[Piece] = []
 
     def prove(self, proof: Proof) -> None:
-        """Add a step that was executed; what is only folded over is told with the next one."""
+        """Add a step that was executed; what is only folded over is told with the next one that shows it."""
         layout = self._kit.layout
         if not proof.joints:
-            self._folded += [piece.name for piece in layout.pieces if not proof.movers.isdisjoint(piece.motions)]
+            self._folded += [piece for piece in layout.pieces if not proof.movers.isdisjoint(piece.motions)]
             return
         before, after, moved = scenes(self._kit, proof, self._joints)
         whole = {name for bundle in proof.apart for name in bundle.joints} | set(proof.joints)
@@ -137,8 +138,7 @@ class _Steps:
         old = [piece.name for piece in layout.pieces if piece.name in touched & self._pieces]
         self._pieces |= touched
         self._joints |= set(joints)
-        before = [folding_text(dict.fromkeys(self._folded))] if self._folded else []
-        self._folded.clear()
+        before = self._folded_before(more["before"].poses)
         self.add(
             kind,
             joints,
@@ -149,3 +149,9 @@ class _Steps:
             evidence=evidence,
             **more,
         )
+
+    def _folded_before(self, shown: Collection[str]) -> list[str]:
+        """What was folded over of the parts that a step shows, as a sentence; it is not told again."""
+        here = [piece for piece in self._folded if not piece.motions.keys().isdisjoint(shown)]
+        self._folded = [piece for piece in self._folded if piece not in here]
+        return [folding_text(dict.fromkeys(piece.name for piece in here))] if here else []

@@ -10,7 +10,7 @@ from popsim.layout import Flap, Layout, Part, Piece
 if TYPE_CHECKING:
     from shapely.geometry.base import BaseGeometry
 
-SIMPLER = 0.15
+SIMPLER = 0.25
 """mm; outlines are drawn this exactly: half of it on the page, less than a line is wide."""
 
 BESIDE = 0.1

@@ -8,7 +8,6 @@ import numpy as np
 
 from popsim.booklet.inks import Ink
 from popsim.geometry.arrays import FloatArray
-from popsim.geometry.flat import flat_motion, move_shape
 from popsim.layout.fitted_text import RISE
 from popsim.layout.sheet import Area, Line, Mark, Text, text_width
 
@@ -33,6 +32,9 @@ OFFSETS = np.array(
     ]
 )
 """All places that are tried, from what is named, mm, shape (n, 2)."""
+
+SURER = 1e-6
+"""By how much a place farther away must be better to be taken."""
 
 COVERED, CROSSED, AWAY = 6.0, 8.0, 0.25
 """What a label costs that lies on the drawing altogether, whose line crosses others, and per mm of distance."""
@@ -118,20 +120,27 @@ class Labels:
         if wish.area.is_empty:
             return None
         anchor = np.array(wish.area.representative_point().coords[0])
-        box, middles = _box(wish, np.zeros(2)), anchor + OFFSETS
-        boxes = np.array([move_shape(flat_motion(0.0, middle), box) for middle in middles])
+        middles, half = anchor + OFFSETS, _half(wish)
+        boxes = shapely.box(*(middles - half).T, *(middles + half).T)
         leaders = shapely.linestrings(np.stack([np.broadcast_to(anchor, middles.shape), middles], axis=1))
-        leaders = shapely.difference(leaders, boxes)
         taken = shapely.union_all(self.taken)
-        free = shapely.contains(self.window, boxes) & ~shapely.is_empty(leaders)
-        free &= ~shapely.intersects(taken, boxes)
-        if not free.any():
-            return None
-        covered = shapely.area(shapely.intersection(self.drawing, boxes[free])) / box.area
-        crossing = shapely.intersects(taken, leaders[free])
-        cost = AWAY * np.linalg.norm(OFFSETS[free], axis=1) + COVERED * covered + CROSSED * crossing
-        best = np.flatnonzero(free)[int(cost.round(6).argmin())]
-        return middles[best], shapely.get_coordinates(leaders[best])
+        shapely.prepare([self.window, taken])
+        free = shapely.contains(self.window, boxes) & ~shapely.contains(boxes, shapely.Point(anchor))
+        free[free] = ~shapely.intersects(taken, boxes[free])
+        places = np.flatnonzero(free)
+        leaders[places] = shapely.difference(leaders[places], boxes[places])
+        cost = AWAY * np.linalg.norm(OFFSETS[places], axis=1) + CROSSED * shapely.intersects(
+            taken, leaders[places]
+        )
+        best, least = None, np.inf
+        for k in np.argsort(cost.round(6), kind="stable"):
+            if cost[k] >= least:
+                break
+            box = boxes[places[k]]
+            full = cost[k] + COVERED * float(self.drawing.intersection(box).area / box.area)
+            if full < least - SURER:
+                best, least = places[k], full
+        return None if best is None else (middles[best], shapely.get_coordinates(leaders[best]))
 
 
 def _label(wish: Wish, middle: FloatArray) -> Iterator[Mark]:
@@ -143,14 +152,19 @@ def _label(wish: Wish, middle: FloatArray) -> Iterator[Mark]:
     yield Text(Ink.BADGE if wish.badge else Ink.TEXT, wish.text, base, wish.size, anchor="middle", bold=wish.badge)
 
 
+def _half(wish: Wish) -> FloatArray:
+    """Half the width and height of a label, shape (2,)."""
+    return np.array([text_width(wish.text, wish.size), RISE * wish.size]) / 2 + PAD
+
+
 def _box(wish: Wish, middle: FloatArray) -> "Polygon":
     import shapely
 
-    half = np.array([text_width(wish.text, wish.size), RISE * wish.size]) / 2
+    half = _half(wish)
     if wish.badge:
         reach = np.array([half[0] - half[1], 0.0])
-        return shapely.LineString([middle - reach, middle + reach]).buffer(half[1] + PAD)
-    return shapely.box(*(middle - half - PAD), *(middle + half + PAD))
+        return shapely.LineString([middle - reach, middle + reach]).buffer(half[1])
+    return shapely.box(*(middle - half), *(middle + half))
 
 
 def _line(ends: FloatArray) -> "BaseGeometry":

@@ -8,7 +8,7 @@ import numpy as np
 
 from popsim.booklet.inks import Ink
 from popsim.geometry.arrays import FloatArray
-from popsim.geometry.flat import move_shape
+from popsim.geometry.flat import move
 from popsim.layout.sheet import Area, Line, Mark
 
 if TYPE_CHECKING:
@@ -28,7 +28,11 @@ class Shape:
 
 def moved(shapes: Iterable[Shape], motion: FloatArray) -> tuple[Shape, ...]:
     """The shapes moved and scaled by `motion` (3, 3)."""
-    return tuple(Shape(shape.ink, move_shape(motion, shape.geometry)) for shape in shapes)
+    import shapely
+
+    listed = list(shapes)
+    places = shapely.transform([shape.geometry for shape in listed], lambda points: move(motion, points))
+    return tuple(Shape(shape.ink, place) for shape, place in zip(listed, places, strict=True))
 
 
 def clipped(shapes: Sequence[Shape], window: "BaseGeometry") -> tuple[Shape, ...]:

@@ -7,13 +7,12 @@ planes meet, so each plate is cut by half planes only. Picture coordinates are t
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from popsim.booklet.cutout import Cutout
 from popsim.geometry.arrays import FloatArray
-from popsim.geometry.flat import move_shape
 from popsim.geometry.plane import Plane
 from popsim.geometry.rigid import turns_about
 
@@ -32,10 +31,14 @@ EDGE_ON = 0.02
 
 @dataclass(frozen=True, eq=False)
 class Plate:
-    """A cutout in space: its plane, in which its flat coordinates are, has its normal to the printed side."""
+    """A cutout in space: its plane, in which its flat coordinates are, has its normal to the printed side.
+
+    `shines` says whether those of its edges are wanted that are hidden.
+    """
 
     cutout: Cutout
     plane: Plane
+    shines: bool = True
 
 
 @dataclass(frozen=True, eq=False)
@@ -53,7 +56,7 @@ class Seen:
     edges, creases:
         Lines of its cutout that are seen.
     hidden:
-        Edges that are not.
+        Edges that are not, where they are wanted.
     """
 
     whole: "BaseGeometry"
@@ -71,11 +74,9 @@ class Projected:
     `motion` (3, 3) brings flat into picture coordinates, and the depth at (x, y) is `depth` @ (x, y, 1).
     """
 
-    plate: Plate
     motion: FloatArray
     depth: FloatArray
     printed: bool
-    whole: "BaseGeometry"
 
 
 def project(plate: Plate, view: "View") -> Projected:
@@ -85,31 +86,60 @@ def project(plate: Plate, view: "View") -> Projected:
     spots = view.to_plane(np.array([origin, u, v]))
     columns = np.stack([spots[1] - spots[0], spots[2] - spots[0], spots[0]], axis=1)
     motion = np.vstack([columns[:2], [0.0, 0.0, 1.0]])
-    depth = columns[2] @ np.linalg.inv(motion)
-    return Projected(
-        plate, motion, depth, bool(plane.normal @ view.eye > 0), move_shape(motion, plate.cutout.shape)
-    )
+    return Projected(motion, columns[2] @ np.linalg.inv(motion), bool(plane.normal @ view.eye > 0))
 
 
 def see(plates: Sequence[Plate], view: "View") -> tuple[Seen, ...]:
-    """Return what is seen of each plate, in their order."""
+    """Return what is seen of each plate, in their order; all overlays of one kind at once."""
     import shapely
 
     if not plates:
         return ()
     projected = [project(plate, view) for plate in plates]
+    motions = np.array([one.motion for one in projected])
+    cutouts = [plate.cutout for plate in plates]
+    whole, edges, creases = (
+        _placed([getattr(cutout, name) for cutout in cutouts], motions) for name in ("shape", "edges", "creases")
+    )
     before: list[list[BaseGeometry]] = [[] for _ in projected]
-    for back, cover in _covers(projected):
+    for back, cover in _covers(whole, np.array([one.depth for one in projected])):
         before[back].append(cover)
-    return tuple(_seen(one, shapely.union_all(own)) for one, own in zip(projected, before, strict=True))
+    covers = np.array([_joined(shape, own) for shape, own in zip(whole, before, strict=True)])
+    area = shapely.difference(whole, covers)
+    some = ~shapely.is_empty(area)
+    left = [np.where(some, lines, shapely.MultiLineString()) for lines in (edges, creases)]
+    seen = [shapely.difference(lines, np.where(some, covers, shapely.MultiPolygon())) for lines in left]
+    shining = np.array([plate.shines for plate in plates])
+    hidden = shapely.intersection(np.where(shining, edges, shapely.MultiLineString()), covers)
+    return tuple(
+        Seen(whole[k], area[k], one.printed, seen[0][k], seen[1][k], hidden[k]) for k, one in enumerate(projected)
+    )
 
 
-def _covers(projected: list[Projected]) -> Iterator[tuple[int, "BaseGeometry"]]:
+def _joined(shape: "BaseGeometry", covers: list["BaseGeometry"]) -> "BaseGeometry":
+    """Some covers of a shape as one; where one alone hides it all, the others do not matter."""
+    import shapely
+
+    if len(covers) < 2:
+        return covers[0] if covers else shapely.MultiPolygon()
+    all_over = np.flatnonzero(shapely.covers(covers, shape))
+    return covers[all_over[0]] if len(all_over) else shapely.union_all(covers)
+
+
+def _placed(shapes: list["BaseGeometry"], motions: FloatArray) -> Any:
+    """Shapes moved each by its own motion (n, 3, 3), as an array."""
+    import shapely
+
+    found = np.array(shapes, dtype=object)
+    points, owner = shapely.get_coordinates(found, return_index=True)
+    moved = (motions[owner, :2, :2] @ points[:, :, None])[..., 0] + motions[owner, :2, 2]
+    return shapely.set_coordinates(found.copy(), moved)
+
+
+def _covers(shapes: Any, depths: FloatArray) -> Iterator[tuple[int, "BaseGeometry"]]:
     """For each plate that may be hidden its index and an area in which another one is nearer to the eye."""
     import shapely
 
-    shapes = np.array([one.whole for one in projected])
-    depths = np.array([one.depth for one in projected])
     bounds = shapely.bounds(shapes)
     back, front = shapely.STRtree(shapes).query(shapes, predicate="intersects")
     low = np.maximum(bounds[back, :2], bounds[front, :2])
@@ -123,21 +153,6 @@ def _covers(projected: list[Projected]) -> Iterator[tuple[int, "BaseGeometry"]]:
     found[cut] = shapely.intersection(found[cut], np.array(halves, dtype=object))
     for k in np.flatnonzero((nearer > 0).any(axis=1)):
         yield int(back[k]), found[k]
-
-
-def _seen(one: Projected, cover: "BaseGeometry") -> Seen:
-    edges = move_shape(one.motion, one.plate.cutout.edges)
-    creases = move_shape(one.motion, one.plate.cutout.creases)
-    if cover.is_empty:
-        return Seen(one.whole, one.whole, one.printed, edges, creases, cover)
-    return Seen(
-        whole=one.whole,
-        area=one.whole.difference(cover),
-        printed=one.printed,
-        edges=edges.difference(cover),
-        creases=creases.difference(cover),
-        hidden=edges.intersection(cover),
-    )
 
 
 def _above(corners: FloatArray, values: FloatArray) -> FloatArray:

@@ -1,7 +1,7 @@
 """What there is to draw in a scene of the assembly: parts, flaps, places for flaps."""
 
 from collections.abc import Collection, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import Enum
 from functools import cached_property
 from typing import TYPE_CHECKING
@@ -102,7 +102,9 @@ class Eye:
         }
         flaps = {key: self._flap_plane(key, scene, shifts) for key in scene.flaps}
         things = [*self._parts(planes, new), *self._flaps(flaps, new, glued), *self._places(planes, new, glued)]
-        seen = see([thing.plate for thing in things], self.view)
+        shines = [thing.new or thing.flap is not None for thing in things]
+        plates = [replace(thing.plate, shines=own) for thing, own in zip(things, shines, strict=True)]
+        seen = see(plates, self.view)
         return tuple(Sight(thing, own) for thing, own in zip(things, seen, strict=True))
 
     def _parts(self, planes: Mapping[str, Plane], new: Collection[str]) -> Iterator[Thing]:

@@ -79,6 +79,15 @@ def test_every_piece_is_folded_once_when_it_is_first_used(plan: AssemblyPlan) ->
     assert folded == Counter(expected)
 
 
+def test_what_is_folded_as_shown_is_shown(plan: AssemblyPlan) -> None:
+    parts = {piece.name: set(piece.motions) for piece in plan.layout.pieces}
+    for step in plan.steps:
+        for named in re.findall(r"Fold ((?:piece \S+(?:, | and )?)+) flat as shown", step.text):
+            assert step.before is not None
+            for name in re.findall(r"piece ([^\s,]+)", named):
+                assert parts[name] & set(step.before.poses)
+
+
 def test_the_ease_adds_up(plan: AssemblyPlan) -> None:
     assert plan.ease.steps == len(plan.steps)
     assert plan.ease.joints == len(plan.order)
