@@ -9,6 +9,7 @@ from popsim.geometry.arrays import FloatArray
 from popsim.simulation.candidates import candidate_pairs
 from popsim.simulation.collisions import SKIN
 from popsim.simulation.mjcf import size_of
+from popsim.simulation.neighbours import touching
 from popsim.simulation.plates import prisms
 from popsim.simulation.scene import Scene
 from popsim.simulation.sweep import Sweep
@@ -27,6 +28,7 @@ class Crossings:
 
     A part that moves with others does so in every structure that has them: of two parts that lie to each other as
     at the same angle before, nothing new is to be found.
+    Parts that meet on one line in the finished design touch there before they are joined, too; that is left out.
     """
 
     def __init__(self, design: Design) -> None:
@@ -34,6 +36,7 @@ class Crossings:
         self._skin = SKIN * self._scale
         self._place = {patch.id: k for k, patch in enumerate(design.patches)}
         self._scene = Scene({k: prisms(p, self._scale, SKIN) for k, p in enumerate(design.patches)}, self._scale)
+        self._touching = touching(design)
         self._known: dict[tuple[Pair, float], tuple[FloatArray, float]] = {}
 
     def deepest(self, sweep: Sweep) -> tuple[float, Pair | tuple[()]]:
@@ -63,8 +66,9 @@ class Crossings:
         found: dict[int, list[Pair]] = defaultdict(list)
         for candidate in candidate_pairs(sweep, np.arange(len(sweep.theta) - 1), TOUCH):
             first, second = (patches[k].id for k in candidate.pair)
-            for frame in candidate.angles:
-                found[frame].append((first, second))
+            if not self._touching[self._place[first], self._place[second]]:
+                for frame in candidate.angles:
+                    found[frame].append((first, second))
         return dict(sorted(found.items()))
 
     def _is_known(self, pair: Pair, theta: float, lying: FloatArray) -> bool:
