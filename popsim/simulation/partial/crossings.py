@@ -9,7 +9,7 @@ from popsim.geometry.arrays import FloatArray
 from popsim.simulation.candidates import candidate_pairs
 from popsim.simulation.collisions import SKIN
 from popsim.simulation.mjcf import size_of
-from popsim.simulation.neighbours import touching
+from popsim.simulation.neighbours import hinge_lines, touching
 from popsim.simulation.plates import prisms
 from popsim.simulation.scene import Scene
 from popsim.simulation.sweep import Sweep
@@ -36,7 +36,7 @@ class Crossings:
         self._skin = SKIN * self._scale
         self._place = {patch.id: k for k, patch in enumerate(design.patches)}
         self._scene = Scene({k: prisms(p, self._scale, SKIN) for k, p in enumerate(design.patches)}, self._scale)
-        self._touching = touching(design)
+        self._touching = touching(design, hinge_lines(design))
         self._known: dict[tuple[Pair, float], tuple[FloatArray, float]] = {}
 
     def deepest(self, sweep: Sweep) -> tuple[float, Pair | tuple[()]]:
