@@ -10,7 +10,7 @@ ROOT = Path(__file__).resolve().parent.parent / "popsim"
 
 STOREYS = [
     {"errors", ""},
-    {"files", "units", "stock"},
+    {"files", "units", "stock", "beside"},
     {"geometry"},
     {"design"},
     {"mechanisms"},

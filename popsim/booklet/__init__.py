@@ -6,6 +6,7 @@ drawings are marks of :mod:`popsim.layout.sheet` with the roles of :mod:`popsim.
 sheets write them; all words stand in :mod:`popsim.booklet.wording`.
 """
 
-from popsim.booklet.write import write_booklet
+from popsim.booklet.format import booklet_format
+from popsim.booklet.write import started_booklet, write_booklet
 
-__all__ = ["write_booklet"]
+__all__ = ["booklet_format", "started_booklet", "write_booklet"]

@@ -1,10 +1,12 @@
 """Writing the booklet beside the sheets."""
 
+from collections.abc import Callable
 from pathlib import Path
 
 from popsim.assembly import AssemblyPlan
-from popsim.booklet.booklet import make_booklet
-from popsim.booklet.format import booklet_format
+from popsim.beside import Beside
+from popsim.booklet.booklet import Booklet, make_booklet
+from popsim.booklet.format import Format
 from popsim.booklet.html import page_of
 from popsim.booklet.inks import STYLE
 from popsim.booklet.pages import draw_pages
@@ -16,32 +18,53 @@ NAME = "instructions"
 PICTURE = "popup.png"
 
 
-def write_booklet(
+SIZE = 480, 360
+"""Of the picture, in pixels."""
+
+
+def started_booklet(
     plan: AssemblyPlan,
-    design: Design,
     sweep: Sweep,
-    folder: Path,
+    form: Format,
     *,
     name: str,
     banner: str | None = None,
     checks: tuple[str, ...] = (),
-) -> tuple[Path, ...]:
-    """Write `popup.png`, `instructions.pdf` and `instructions.html`; the same input gives the same bytes.
+) -> Beside[Booklet]:
+    """Begin to draw the figures of a booklet, in a second process where there can be one.
 
     Parameters
     ----------
     plan:
         The steps, with their scenes.
-    design, sweep:
-        What is built, and its recorded motion.
-    folder:
-        Where the textures of the design are, and where the files go; existing ones are overwritten.
+    sweep:
+        The recorded motion of what is built.
+    form:
+        Of the pages.
     name:
         Of the model.
     banner:
         A warning on the cover, or None.
     checks:
         What to look at when it is done, one sentence each.
+    """
+    aspect = SIZE[0] / SIZE[1]
+    return Beside(lambda: make_booklet(plan, sweep, name, PICTURE, aspect, form, banner, checks))
+
+
+def write_booklet(booklet: Callable[[], Booklet], design: Design, form: Format, folder: Path) -> tuple[Path, ...]:
+    """Write `popup.png`, `instructions.pdf` and `instructions.html`; the same input gives the same bytes.
+
+    Parameters
+    ----------
+    booklet:
+        Asked for when the picture is drawn; see :func:`started_booklet`.
+    design:
+        What is built.
+    form:
+        Of the pages.
+    folder:
+        Where the textures of the design are, and where the files go; existing ones are overwritten.
 
     Returns
     -------
@@ -56,11 +79,11 @@ def write_booklet(
 
     from popsim.pictures import Look, open_picture
 
-    look = Look(width=480, height=360)
     picture, pdf, html = (folder / file for file in (PICTURE, f"{NAME}.pdf", f"{NAME}.html"))
+    look = Look(width=SIZE[0], height=SIZE[1])
     Image.fromarray(open_picture(design, folder, look)).save(picture, format="PNG")
-    form = booklet_format(plan.layout.paper)
-    booklet = make_booklet(plan, sweep, name, PICTURE, look.width / look.height, form, banner, checks)
-    write_pages(draw_pages(booklet, form), pdf, style=STYLE, texture_root=folder, title=f"{name}: {NAME}")
-    html.write_text(page_of(booklet, folder), encoding="utf-8")
+    content = booklet()
+    title = f"{content.name}: {NAME}"
+    write_pages(draw_pages(content, form), pdf, style=STYLE, texture_root=folder, title=title)
+    html.write_text(page_of(content, folder), encoding="utf-8")
     return picture, pdf, html

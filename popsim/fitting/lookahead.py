@@ -4,12 +4,11 @@ A search tries one change after another and takes the first that is better, so m
 before: what stands next in line. The values, and so what is found, are the same with one process.
 """
 
-import os
-import sys
-import warnings
 from collections.abc import Callable, Generator, Iterable, Iterator
 from contextlib import contextmanager, suppress
-from typing import TYPE_CHECKING, Generic, NamedTuple, TypeVar
+from typing import TYPE_CHECKING, Any, Generic, NamedTuple, TypeVar
+
+from popsim.beside import forked
 
 if TYPE_CHECKING:
     from multiprocessing.connection import Connection
@@ -21,7 +20,7 @@ class Helper(NamedTuple):
     """Where a second process is asked, and by which number it knows a value."""
 
     number: int
-    pipe: "Connection"
+    pipe: "Connection[Any, Any]"
 
 
 class Valued(Generic[T]):
@@ -72,40 +71,31 @@ class Valued(Generic[T]):
 
 @contextmanager
 def two_processes(*values: Valued[T]) -> Iterator[None]:
-    """Let a second process help with values, where there is a second core and processes can be forked safely."""
-    if sys.platform != "linux" or len(os.sched_getaffinity(0)) < 2:
+    """Let a second process help with values, where there can be one."""
+    started = forked(_serve, values)
+    if started is None:
         yield
         return
-    from multiprocessing import get_context
-
-    context = get_context("fork")
-    here, there = context.Pipe()
-    helper = context.Process(target=_serve, args=(values, here, there), daemon=True)
-    with warnings.catch_warnings():
-        # of Python 3.12 on: forking beside threads; the helper needs none of their locks
-        warnings.simplefilter("ignore", DeprecationWarning)
-        helper.start()
-    there.close()
+    pipe, process = started
     try:
         for number, value in enumerate(values):
-            value.helper = Helper(number, here)
+            value.helper = Helper(number, pipe)
         yield
     finally:
         for value in values:
             value.helper = None
-        here.close()
-        helper.join()
+        pipe.close()
+        process.join()
 
 
-def _serve(values: "tuple[Valued[T], ...]", asking: "Connection", there: "Connection") -> None:
+def _serve(pipe: "Connection[Any, Any]", values: "tuple[Valued[T], ...]") -> None:
     """Answer what is asked until whoever asks is gone."""
-    asking.close()
     while True:
         try:
-            number, thing = there.recv()
+            number, thing = pipe.recv()
         except EOFError:
             return
         found = None
         with suppress(Exception):  # it is raised where the value is asked for again
             found = values[number].work(thing)
-        there.send(found)
+        pipe.send(found)

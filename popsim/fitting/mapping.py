@@ -5,7 +5,7 @@ Of those that represent it equally well the one that is easier to build goes fir
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
 
 from popsim.mechanisms import MECHANISMS, BasePatchPair, Mechanism, Primitive, plates_of
 from popsim.mechanisms.effort import minutes_of
@@ -16,10 +16,15 @@ EQUALLY = 0.01
 
 @dataclass(frozen=True)
 class Mapped:
-    """A mechanism for a primitive and its error."""
+    """A mechanism for a primitive."""
 
     mechanism: Mechanism
-    error_cover: float
+    primitive: Primitive
+
+    @cached_property
+    def error_cover(self) -> float:
+        """Eq. 2; asked for only where there is a choice."""
+        return error_cover(self.mechanism, self.primitive)
 
 
 def mappings(
@@ -39,7 +44,7 @@ def mappings(
 def _representing(primitive: Primitive, pair: BasePatchPair, id: str) -> tuple[Mapped, ...]:
     """The same for all that can represent it."""
     found = [
-        Mapped(mechanism, error_cover(mechanism, primitive))
+        Mapped(mechanism, primitive)
         for kind in MECHANISMS.values()
         for mechanism in kind.from_primitive(primitive, pair, id)
     ]
@@ -48,10 +53,12 @@ def _representing(primitive: Primitive, pair: BasePatchPair, id: str) -> tuple[M
 
 def easiest_first(found: Iterable[Mapped]) -> tuple[Mapped, ...]:
     """By error_cover; of those that come within EQUALLY of the least, what is built soonest first."""
-    rest = sorted(found, key=lambda mapped: mapped.error_cover)
+    rest = list(found)
+    if len(rest) > 1:
+        rest.sort(key=lambda mapped: mapped.error_cover)
     ordered: list[Mapped] = []
     while rest:
-        alike = [mapped for mapped in rest if mapped.error_cover <= rest[0].error_cover + EQUALLY]
+        alike = rest[:1] + [other for other in rest[1:] if other.error_cover <= rest[0].error_cover + EQUALLY]
         ordered += sorted(alike, key=lambda mapped: minutes_of(mapped.mechanism)) if len(alike) > 1 else alike
         rest = rest[len(alike) :]
     return tuple(ordered)

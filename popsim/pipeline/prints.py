@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from popsim.booklet import write_booklet
+from popsim.booklet import booklet_format, started_booklet, write_booklet
 from popsim.design import Design, dump_design
 from popsim.export import Printing, export
 from popsim.pipeline.planned import Planned
@@ -47,6 +47,8 @@ def write_prints(
     """
     plan, checks = planned.plan, (*checks, *planned.notes)
     printing = Printing(settings.style, settings.two_sided, footer, banner, checks)
+    form = booklet_format(plan.layout.paper)
+    booklet = started_booklet(plan, sweep, form, name=name, banner=banner, checks=checks)
     made = [folder / "design.json"]
     made[0].write_text(dump_design(design))
     for kind in settings.formats:
@@ -59,7 +61,7 @@ def write_prints(
             plan=plan,
             sweep=sweep,
         )
-    made += write_booklet(plan, design, sweep, folder, name=name, banner=banner, checks=checks)
+    made += write_booklet(booklet.result, design, form, folder)
     made.append(folder / "assembly.md")
     made[-1].write_text(plan.text)
     return made
