@@ -16,7 +16,7 @@ from numpy.random import Generator
 from popsim.fitting.candidate import Candidate, Node
 from popsim.fitting.knobs import thinnest
 from popsim.fitting.mapping import mappings
-from popsim.fitting.ransac import Hypothesis, Weights, fitted_prisms
+from popsim.fitting.ransac import Hypothesis, Weights, fitted_prisms, over_pair
 from popsim.geometry.arrays import BoolArray, FloatArray
 from popsim.mechanisms import BasePatchPair, Mechanism, PairKind, Primitive, plates_of
 
@@ -70,7 +70,7 @@ class Combiner:
         return state
 
     def _best(self, state: Candidate, pair: BasePatchPair, left: BoolArray, depth: int) -> tuple[Plan, ...]:
-        """The best prisms on a pair for the points that are left."""
+        """The best prisms on a pair for the points that are left; each saves something."""
         own = left & _over(self.points, pair)
         if depth == len(WIDTHS) or np.count_nonzero(own) < FEWEST:
             return ()
@@ -97,21 +97,21 @@ class Combiner:
         rest[np.flatnonzero(own)[found.consensus]] = False
         saving = np.count_nonzero(found.consensus) * (1 - found.error) / len(self.points)
         saving -= self.price * len(plates_of(mechanism))
-        above = [plan for offered in mechanism.pairs() for plan in self._best(state, offered, rest, depth + 1)]
-        worth = tuple(plan for plan in above if plan.saving > 0)
-        total = float(saving) + sum(plan.saving for plan in worth)
-        return Plan(found.primitive, pair, total, worth), mechanism.closing_range()
+        above = tuple(
+            plan for offered in mechanism.pairs() for plan in self._best(state, offered, rest, depth + 1)
+        )
+        total = float(saving) + sum(plan.saving for plan in above)
+        return Plan(found.primitive, pair, total, above), mechanism.closing_range()
 
 
 def _over(points: FloatArray, pair: BasePatchPair) -> BoolArray:
     """Which points lie over a pair."""
-    x, y, z = points.T
+    x, u, v = over_pair(points, pair).T
     if pair.kind is PairKind.OPENING:
-        across, top = np.abs(y) <= min(pair.reach) + TOUCH, np.inf
+        across, top = u <= min(pair.reach) + TOUCH, np.inf
     else:
-        u = pair.side.value * y - pair.u
-        across, top = (u > TOUCH) & (u <= pair.reach[0]), pair.v + pair.reach[1]
-    return np.asarray((pair.x[0] <= x) & (x <= pair.x[1]) & across & (z > pair.v + TOUCH) & (z <= top + TOUCH))
+        across, top = (u > TOUCH) & (u <= pair.reach[0]), pair.reach[1]
+    return np.asarray((pair.x[0] <= x) & (x <= pair.x[1]) & across & (v > TOUCH) & (v <= top + TOUCH))
 
 
 def _one(options: Sequence[tuple[Plan, tuple[float, float]]]) -> list[Plan]:

@@ -114,9 +114,7 @@ def fitted_prisms(
     list of Hypothesis
         That with the least error first, no two of them alike.
     """
-    side = 1.0 if pair.kind is PairKind.OPENING else pair.side.value
-    u = np.abs(points[:, 1]) if pair.kind is PairKind.OPENING else side * points[:, 1] - pair.u
-    placed = np.column_stack([points[:, 0], u, points[:, 2] - pair.v])
+    placed = over_pair(points, pair)
     few = placed[rng.choice(len(placed), min(FIRST_POINTS, len(placed)), replace=False)]
     found: list[Hypothesis] = []
     for drawn in _kinds(pair):
@@ -131,6 +129,16 @@ def fitted_prisms(
             except GeometryError:  # the points lie in one plane
                 continue
     return _unlike(sorted(found, key=lambda hypothesis: hypothesis.error), most)
+
+
+def over_pair(points: FloatArray, pair: BasePatchPair) -> FloatArray:
+    """Points (n, 3) of the card frame by x, distance u from the fold line of a pair, and height v over it, mm.
+
+    On opening pairs u counts to both sides, in corners away from the wall; shape (n, 3).
+    """
+    x, y, z = points.T
+    u = np.abs(y) if pair.kind is PairKind.OPENING else pair.side.value * y - pair.u
+    return np.column_stack([x, u, z - pair.v])
 
 
 def _unlike(found: list[Hypothesis], most: int) -> list[Hypothesis]:

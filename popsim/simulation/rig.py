@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from popsim.design import Design
-from popsim.geometry.arrays import FloatArray
+from popsim.geometry.arrays import FloatArray, IntArray
 from popsim.geometry.frame import OPEN
 from popsim.simulation.engine import load_mujoco
 from popsim.simulation.forest import PAGES, Forest, spanning_forest
@@ -137,15 +137,20 @@ class Rig:
     def poses(self) -> FloatArray:
         """Motion of each patch from the open pose, in the order of the design, mm, shape (p, 4, 4)."""
         self._place(self.model, self.data)
-        poses = np.zeros((len(self._bodies), 4, 4))
-        poses[:, :3, :3] = self.data.xmat[self._bodies].reshape(-1, 3, 3)
-        poses[:, :3, 3] = self.data.xpos[self._bodies] * self.scale
-        poses[:, 3, 3] = 1
-        return poses
+        return poses_of(self.data, self._bodies, self.scale)
 
     def state(self) -> FloatArray:
         """Joint positions as MuJoCo orders them, shape (q,)."""
         return np.array(self.data.qpos)
+
+
+def poses_of(data: Any, bodies: IntArray, scale: float) -> FloatArray:
+    """Motion of bodies that MuJoCo has placed from the open pose, mm, shape (k, 4, 4); `scale` mm are a unit."""
+    poses = np.zeros((len(bodies), 4, 4))
+    poses[:, :3, :3] = data.xmat[bodies].reshape(-1, 3, 3)
+    poses[:, :3, 3] = data.xpos[bodies] * scale
+    poses[:, 3, 3] = 1
+    return poses
 
 
 def page_quaternions(theta: FloatArray) -> FloatArray:

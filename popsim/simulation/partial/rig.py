@@ -14,6 +14,7 @@ from popsim.simulation.mjcf import Recipe, body_tree, loops, mass_and_joint, opt
 from popsim.simulation.partial.hands import led_joints, loop_matrix
 from popsim.simulation.partial.structure import Structure
 from popsim.simulation.pressing import pressing_wrenches
+from popsim.simulation.rig import poses_of
 from popsim.simulation.solver import BRISK, TIMESTEP
 from popsim.simulation.turning import turnings
 
@@ -159,11 +160,7 @@ class PartialRig:
     def poses(self) -> FloatArray:
         """Motion of each part from the open pose, in the order of the design, mm, shape (p, 4, 4)."""
         self._place(self._model, self._data)
-        poses = np.zeros((len(self._bodies), 4, 4))
-        poses[:, :3, :3] = self._data.xmat[self._bodies].reshape(-1, 3, 3)
-        poses[:, :3, 3] = self._data.xpos[self._bodies] * self._scale
-        poses[:, 3, 3] = 1
-        return poses
+        return poses_of(self._data, self._bodies, self._scale)
 
     def _xml(self) -> str:
         structure, recipe = self.structure, Recipe(self._scale, BRISK.damping, BRISK.impedance)
