@@ -48,7 +48,7 @@ def verify(
         if wanted is not None:
             refuse_overwrite(wanted, force)
     drawings = list(_drawings(path, plot, animate, force))
-    verdict = fold_and_judge(design, stock=stock)
+    verdict = fold_and_judge(design, stock=stock, beside=_beside(design, path.parent))
     texts = (
         (report, verdict.to_json),
         (junit, lambda: verdict.to_junit(str(path))),
@@ -62,6 +62,17 @@ def verify(
         draw(design, verdict)
     print_verdict(verdict, str(path))
     raise typer.Exit(0 if verdict.passed else 1)
+
+
+def _beside(design: "Design", folder: Path) -> tuple[str, ...]:
+    """What is to be said of the files beside a design: textures that are missing, which folding does not need."""
+    from popsim.design import missing_textures
+
+    missing = missing_textures(design, folder)
+    if not missing:
+        return ()
+    more = f" and {len(missing) - 1} more" if len(missing) > 1 else ""
+    return (f"{missing[0]}{more}: no such file beside the design; folding needs none, but pictures and sheets do",)
 
 
 def _drawings(

@@ -5,7 +5,7 @@ instructions, export) read only that. Everything is immutable and validated; coo
 pose in the card frame of :mod:`popsim.geometry`.
 """
 
-from popsim.design.file import dump_design, load_design, parse_design
+from popsim.design.file import dump_design, load_design, missing_textures, parse_design
 from popsim.design.model import (
     BACKDROP_ID,
     GROUND_ID,
@@ -30,5 +30,6 @@ __all__ = [
     "Source",
     "dump_design",
     "load_design",
+    "missing_textures",
     "parse_design",
 ]

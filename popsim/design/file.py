@@ -65,6 +65,12 @@ def parse_design(content: bytes | str | dict[str, Any], *, name: str = "design")
     return design
 
 
+def missing_textures(design: Design, folder: Path) -> tuple[str, ...]:
+    """Texture paths of `design` at which `folder`, where its file lies, holds no file; each once, in order."""
+    paths = dict.fromkeys(patch.texture for patch in design.patches if patch.texture is not None)
+    return tuple(path for path in paths if not (folder / path).is_file())
+
+
 def dump_design(design: Design) -> str:
     """JSON text of a design; the same design gives the same text, and reading it back gives the same design."""
     data = design.model_dump(mode="json")

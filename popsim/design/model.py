@@ -1,7 +1,8 @@
 """The models behind design.json. Fields named here are public; other fields are kept as they came."""
 
+from collections.abc import Mapping
 from functools import cached_property
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, Literal, Self
 
 import numpy as np
 from pydantic import BaseModel, ConfigDict, Field
@@ -30,6 +31,13 @@ class _Model(BaseModel):
             return NotImplemented
         same = all(getattr(self, name) == getattr(other, name) for name in type(self).model_fields)
         return same and self.model_extra == getattr(other, "model_extra", None)
+
+    def model_copy(self, *, update: Mapping[str, Any] | None = None, deep: bool = False) -> Self:
+        """A copy with fields of `update`, unchecked; what was derived and cached is derived anew."""
+        copied = super().model_copy(update=update, deep=deep)
+        for name in copied.__dict__.keys() - type(self).model_fields.keys():
+            del copied.__dict__[name]
+        return copied
 
     __hash__ = None  # type: ignore[assignment]  # mechanisms hold dicts, which have no hash
 

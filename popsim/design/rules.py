@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from popsim.design.model import BACKDROP_ID, GROUND_ID, Design, Hinge, Patch
+from popsim.design.model import BACKDROP_ID, GROUND_ID, Card, Design, Hinge, Patch
 from popsim.errors import DesignError, GeometryError
 from popsim.geometry.plane import line_distance
 
@@ -125,6 +125,7 @@ def _check_pages(design: Design) -> None:
         if np.abs(patch.points[:, 2]).max() > PLANAR or (patch.points[:, 1] * sign).min() < -PLANAR:
             half = "y >= 0" if sign > 0 else "y <= 0"
             raise DesignError(f"patches ({page}).outline: must lie in the half plane z = 0, {half} (open pose)")
+        _check_within_card(patch, design.card)
     pages = {GROUND_ID, BACKDROP_ID}
     central = [hinge for hinge in design.hinges if set(hinge.patches) == pages]
     if len(central) != 1:
@@ -134,6 +135,18 @@ def _check_pages(design: Design) -> None:
     wrong = [hinge.id for hinge in design.hinges if (hinge.kind == "central") != (set(hinge.patches) == pages)]
     if wrong:
         raise DesignError(f'hinges ({wrong[0]}).kind: "central" is for the fold between "G" and "B" only')
+
+
+def _check_within_card(page: Patch, card: Card) -> None:
+    """A page may be cut smaller than the card, but not reach out of it."""
+    along = max(card.x[0] - page.points[:, 0].min(), page.points[:, 0].max() - card.x[1])
+    away = np.abs(page.points[:, 1]).max() - card.depth
+    for field, beyond in (("x", along), ("depth", away)):
+        if beyond > PLANAR:
+            raise DesignError(
+                f"card.{field}: the outline of {page.id} reaches {beyond:.3g} mm out of the card; both pages lie "
+                "within card.x, and reach from the fold at most to card.depth"
+            )
 
 
 def _check_hinge(field: str, hinge: Hinge, design: Design, polygons: Mapping[str, "Polygon"]) -> None:

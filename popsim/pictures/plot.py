@@ -34,7 +34,7 @@ def check_plot(path: Path) -> None:
 
 
 def write_plot(path: Path, design: Design, verdict: Verdict, title: str, *, force: bool) -> None:
-    """Draw loop gap, stiffness, distance from the closed forms, depth of crossings; as paper torque and clearance.
+    """Draw loop gap, free motions, stiffness, distance from closed forms, crossings; of paper torque, clearance.
 
     Parameters
     ----------
@@ -58,6 +58,7 @@ def write_plot(path: Path, design: Design, verdict: Verdict, title: str, *, forc
     settings = Settings()
     panels = [
         _gaps(verdict, settings),
+        _free_motions(verdict),
         _stiffness(verdict),
         _closed_forms(design, verdict, settings),
         _crossings(verdict, settings),
@@ -89,14 +90,26 @@ def _gaps(verdict: Verdict, settings: Settings) -> Panel:
     return Panel("largest loop gap, mm", () if note else curves, limits, note=note)
 
 
+def _free_motions(verdict: Verdict) -> Panel:
+    counts = np.array([motion.count for motion in verdict.evidence.free], dtype=float)
+    return _at_counted(verdict, "number of free motions", counts, ("stands with", 0.0), logarithmic=False)
+
+
 def _stiffness(verdict: Verdict) -> Panel:
+    values = np.array([motion.stiffness for motion in verdict.evidence.free])
+    return _at_counted(
+        verdict, "stiffness of the softest motion, mm of gap per mm", values, ("free below", SINGULAR)
+    )
+
+
+def _at_counted(
+    verdict: Verdict, title: str, values: FloatArray, limit: tuple[str, float], *, logarithmic: bool = True
+) -> Panel:
+    """Values (n,) at the angles where free motions were counted."""
     free = verdict.evidence.free
     angles = np.degrees([motion.theta for motion in free])
-    values = np.array([motion.stiffness for motion in free])
-    counted = f"; free motions: {verdict.evidence.free_count}" if free else ""
-    title = f"stiffness of the softest motion, mm of gap per mm{counted}"
     note = "" if free else "not measured: the loops do not close"
-    return Panel(title, (Curve(angles, values, CLOSING, dotted=True),), (("free below", SINGULAR),), note=note)
+    return Panel(title, (Curve(angles, values, CLOSING, dotted=True),), (limit,), logarithmic, note)
 
 
 def _closed_forms(design: Design, verdict: Verdict, settings: Settings) -> Panel:

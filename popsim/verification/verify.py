@@ -26,11 +26,14 @@ MOST_TOLD = 3
 UNSURE_ENDS = "its loops need play, so torque near the open and the closed card depends on what gives way there"
 
 
-def verify(design: Design, settings: Settings = DEFAULT, stock: Stock | None = None) -> Verdict:
+def verify(
+    design: Design, settings: Settings = DEFAULT, stock: Stock | None = None, *, beside: tuple[str, ...] = ()
+) -> Verdict:
     """Fold `design`, state its theory, and compare.
 
     The design is trusted as :func:`popsim.design.parse_design` checks it; of its mechanisms only patches count.
-    With a `stock` it is folded again as paper, which changes nothing of the verdict.
+    With a `stock` it is folded again as paper, which changes nothing of the verdict. Sentences `beside` join its
+    notes: what the caller knows of the files of the design.
     """
     theory = examine(design)
     evidence = gather(design, settings)
@@ -49,6 +52,7 @@ def verify(design: Design, settings: Settings = DEFAULT, stock: Stock | None = N
             *filter(None, [left_out]),
             *map(_slack_note, (finding for finding in findings if finding.disagreement == "slack")),
             *_paper_notes(paper, untold, play),
+            *beside,
         ),
         evidence=evidence,
         play=play,

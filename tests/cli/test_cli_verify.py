@@ -41,6 +41,24 @@ def test_no_file_is_overwritten_without_force_and_none_written_before(
     assert (tmp_path / "kept").read_text() != "mine"
 
 
+def test_textures_that_are_not_there_are_told_and_change_no_verdict(popsim, tmp_path: Path) -> None:
+    design = plain_box()
+    textured = tuple(
+        patch.model_copy(update={"texture": f"textures/{patch.id}.png"}) for patch in design.patches[:3]
+    )
+    data = dump_design(design.model_copy(update={"patches": (*textured, *design.patches[3:])}))
+    (tmp_path / "box.json").write_text(data)
+    done = popsim("verify", "box.json", "--report", "verdict.json")
+    assert done.returncode == 0
+    (note,) = json.loads((tmp_path / "verdict.json").read_text())["notes"]
+    assert note.startswith(f"{textured[0].texture} and 2 more: no such file beside the design")
+    (tmp_path / "textures").mkdir()
+    for patch in textured:
+        (tmp_path / patch.texture).touch()
+    assert popsim("verify", "box.json", "--report", "verdict.json", "--force").returncode == 0
+    assert json.loads((tmp_path / "verdict.json").read_text())["notes"] == []
+
+
 def test_a_plot_is_drawn_and_its_format_checked_before_any_work(popsim, tmp_path: Path, box: str) -> None:
     assert popsim("verify", box, "--plot", "plot.svg").returncode == 0
     assert ElementTree.parse(tmp_path / "plot.svg").getroot().tag.endswith("svg")

@@ -202,3 +202,12 @@ def _with(data: dict[str, Any], path: tuple[str | int, ...], value: object) -> d
         target = target[key]
     target[path[-1]] = value
     return changed
+
+
+def test_a_copy_with_other_fields_derives_anew(design: Design) -> None:
+    before = design.patch_by_id["M1.L"]
+    assert before.points.shape == (len(before.outline), 3)
+    moved = before.model_copy(update={"outline": before.outline[:3]})
+    assert moved.points.tolist() == [list(point) for point in before.outline[:3]]
+    other = design.model_copy(update={"patches": (moved,)})
+    assert other.patch_by_id == {"M1.L": moved}

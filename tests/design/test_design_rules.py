@@ -54,6 +54,19 @@ def test_both_pages_are_needed(data: Data, page: str) -> None:
     refused(data, f"no patch with the id \"{page}\"|no patch '{page}'")
 
 
+@pytest.mark.parametrize("page", ["G", "B"])
+@pytest.mark.parametrize(("field", "value"), [("depth", 100.0), ("x", [-105.0, 90.0]), ("x", [-90.0, 105.0])])
+def test_no_page_reaches_out_of_the_card(data: Data, page: str, field: str, value: object) -> None:
+    data["card"] |= {field: value}
+    data["patches"].sort(key=lambda each: each["id"] != page)
+    refused(data, rf"card\.{field}: the outline of [GB] reaches (48|15) mm out of the card")
+
+
+def test_a_page_may_be_cut_smaller_than_the_card(data: Data) -> None:
+    data["card"] |= {"depth": 160.0, "x": [-120.0, 110.0]}
+    assert parse_design(data)
+
+
 def test_pages_lie_in_their_half_plane(data: Data) -> None:
     patch(data, "G")["outline"][2][1] = -50.0
     refused(data, r"\(G\)\.outline: (must lie in the half plane|not a simple polygon)")

@@ -5,11 +5,11 @@ from xml.etree import ElementTree
 
 import numpy as np
 import pytest
-from folding_designs import mismatched_box, overlapping_boxes, plain_box
+from folding_designs import mismatched_box, overlapping_boxes, plain_box, shearing_box
 from PIL import Image
 
 from popsim.errors import InputError, OutputError
-from popsim.pictures.chart import HEIGHT, LEFT, RIGHT, TOP, WIDTH, Curve, Panel, Stroke, draw, size_of
+from popsim.pictures.chart import GAP, HEIGHT, LEFT, RIGHT, TOP, WIDTH, Curve, Panel, Stroke, draw, size_of
 from popsim.pictures.plot import PAIRS, write_plot
 from popsim.stock import Stock
 from popsim.verification import verify
@@ -45,7 +45,23 @@ def test_what_is_no_number_breaks_the_curve():
 def test_a_sound_design_shows_all_panels_and_no_crossing(tmp_path):
     text = words(svg_of(tmp_path, plain_box()))
     assert "box <1>: passed" in text
-    assert all(part in text for part in ("loop gap", "free motions: 0", "closed forms", "nothing crosses"))
+    assert all(part in text for part in ("loop gap", "number of free motions", "closed forms", "nothing crosses"))
+
+
+def test_free_motions_are_drawn_at_each_angle_at_which_they_were_counted(tmp_path):
+    """A box without end pairs shears: one motion more than a structure may have."""
+    design = shearing_box()
+    free = verify(design).evidence.free
+    assert {motion.count for motion in free} == {1}
+    svg = svg_of(tmp_path, design)
+    top, one = TOP + HEIGHT + GAP, TOP + HEIGHT + GAP + HEIGHT * (1 - 1 / 1.25)
+    dots = [
+        (float(dot.get("cx")), float(dot.get("cy")))
+        for dot in svg.iter(f"{SVG}circle")
+        if top <= float(dot.get("cy")) <= top + HEIGHT
+    ]
+    across = [LEFT + (180 - np.degrees(motion.theta)) / 180 * (WIDTH - LEFT - RIGHT) for motion in free]
+    assert np.array(dots) == pytest.approx(np.array([(x, one) for x in across]), abs=0.01)
 
 
 def test_the_crossing_is_drawn_where_it_was_measured(tmp_path):
@@ -73,7 +89,7 @@ def test_png_and_svg_are_the_same_every_time(tmp_path):
         for name in "ab":
             write_plot(tmp_path / f"{name}{suffix}", design, verdict, "box", force=False)
         assert (tmp_path / f"a{suffix}").read_bytes() == (tmp_path / f"b{suffix}").read_bytes()
-    width, height = size_of([Panel("", (), ())] * 4)
+    width, height = size_of([Panel("", (), ())] * 5)
     assert Image.open(tmp_path / "a.png").size == (2 * width, 2 * height)
     with pytest.raises(OutputError, match="--force"):
         write_plot(tmp_path / "a.svg", design, verdict, "box", force=False)

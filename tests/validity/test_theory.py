@@ -74,6 +74,21 @@ def test_box_taller_than_the_page_sticks_out_by_width_plus_height_less_depth() -
     assert broken(assemble(CARD, [box])) == pytest.approx({"contained M1": 160.0 - 175.0}, abs=1e-5)
 
 
+@pytest.mark.parametrize("page", ["G", "B"])
+def test_where_a_page_is_cut_smaller_than_the_card_the_page_counts(page: str) -> None:
+    box = BoxFold.plain("M1", BASE, 40.0, 100.0, (-20.0, 20.0))
+    design = assemble(CARD, [box])
+    assert broken(design) == {}
+    cut = [
+        patch
+        if patch.id != page
+        else patch.model_copy(update={"outline": [(x, 0.75 * y, z) for x, y, z in patch.outline]})
+        for patch in design.patches
+    ]
+    smaller = design.model_copy(update={"patches": tuple(cut)})
+    assert broken(smaller) == pytest.approx({"contained M1": 0.75 * 160.0 - 140.0}, abs=1e-5)
+
+
 def test_box_without_pairs_shears() -> None:
     box = BoxFold("M1", BASE, 40.0, BoxFold.plain("M1", BASE, 40.0, 30.0, (0.0, 50.0)).tops, ())
     assert set(broken(assemble(CARD, [box]))) == {"stable M1"}
