@@ -15,6 +15,7 @@ import numpy as np
 
 from popsim.fitting.fronts import Fronts
 from popsim.fitting.masks import FAR, FloatImage
+from popsim.fitting.mirror import Mirror, lies_beyond, mirrored, same_on_both_sides, shape_of
 from popsim.fitting.stencil import Stencil
 from popsim.fitting.views import PIXELS, Drawn, Views
 from popsim.geometry.arrays import BoolArray, FloatArray, IntArray
@@ -84,7 +85,7 @@ class Appearance:
 
     def look(self) -> None:
         """Look at the model now rather than when it is first asked for."""
-        _ = self._model, self._fronts
+        _ = self._model, self._mirror
 
     @cached_property
     def _model(self) -> "Shown":
@@ -94,18 +95,22 @@ class Appearance:
     def _fronts(self) -> Fronts:
         return Fronts.of(self.scene, self.bounds, self.grain)
 
+    @cached_property
+    def _mirror(self) -> Mirror | None:
+        """Where the model is the same on both sides of the fold."""
+        return Mirror.of(self.views) if same_on_both_sides(self._fronts) else None
+
     def _picture(self, plate: Plate) -> list[Drawn]:
         """A plate in all views as contours will leave it."""
-        assert plate.room is not None  # plates give themselves room
-        depths = np.array([plate.behind, plate.beside])
-        key = plate.outline.tobytes() + plate.room.tobytes() + plate.outward.tobytes() + depths.tobytes()
+        across = self._mirror is not None and lies_beyond(plate)
+        key = shape_of(plate, across=across)
         found = self.known.get(key)
         if found is None:
-            found = self.views.drawn(Stencil.of(plate, self._fronts))
+            found = self.views.drawn(Stencil.of(mirrored(plate) if across else plate, self._fronts))
             if len(self.known) >= REMEMBERED:
                 self.known.pop(next(iter(self.known)))
             self.known[key] = found
-        return found
+        return self._mirror.image(found) if self._mirror is not None and across else found
 
 
 class Shown(NamedTuple):

@@ -14,11 +14,11 @@ from popsim.fitting.refit import Climber, Value
 from popsim.fitting.settings import FitSettings
 from popsim.fitting.subject import Subject
 
-PROMISING = 3
-"""Starts that are refitted."""
+ROUNDS = ((3, 40), (1, 20))
+"""How many starts are refitted, with how many evaluations each; then how many of these further, with how many."""
 
-FIRST_BUDGET, LAST_BUDGET = 60, 160
-"""Evaluations to refit each of them, and the best."""
+LAST_BUDGET = 160
+"""Evaluations to refit the best."""
 
 FINE_STEPS, FINE_BUDGET = (0.6, 0.25), 80
 """Cells by which borders are moved at last, and evaluations for that."""
@@ -102,22 +102,22 @@ def search(
         The candidate and how it was begun, or None where nothing can be placed.
     """
     climber = Climber(value, Grower(subject.volume, subject.planes, SECOND.taste(subject, settings)))
-    grown = sorted(_grown(subject, start, value, settings), key=lambda found: -found[0])
-    tried = [(climber.refit(state, FIRST_BUDGET), manner) for _, state, manner in grown[:PROMISING]]
-    if not tried:
+    left = list(_grown(subject, start, settings))
+    for count, budget in ROUNDS:
+        promising = sorted(left, key=lambda found: -value(found[0]))[:count]
+        left = [(climber.refit(state, budget), manner) for state, manner in promising]
+    if not left:
         return None
-    best, manner = max(tried, key=lambda entry: value(entry[0]))
+    best, manner = max(left, key=lambda found: value(found[0]))
     best = deepened(climber.complete(best, LAST_BUDGET), value)
     return Climber(fine, climber.grower).refit(best, FINE_BUDGET, FINE_STEPS), manner
 
 
-def _grown(
-    subject: Subject, start: Candidate, value: Value, settings: FitSettings
-) -> Iterator[tuple[float, Candidate, Manner]]:
-    """What the manners lead to, each once: value, candidate, and the manner."""
+def _grown(subject: Subject, start: Candidate, settings: FitSettings) -> Iterator[tuple[Candidate, Manner]]:
+    """What the manners lead to, each once, and the manner."""
     seen = set()
     for manner in MANNERS:
         state = manner.begun(subject, start, settings)
         if state.nodes and state.nodes not in seen:
             seen.add(state.nodes)
-            yield value(state), state, manner
+            yield state, manner
