@@ -7,6 +7,6 @@ sheets write them; all words stand in :mod:`popsim.booklet.wording`.
 """
 
 from popsim.booklet.format import booklet_format
-from popsim.booklet.write import started_booklet, write_booklet
+from popsim.booklet.write import started_booklet, started_picture, write_booklet
 
-__all__ = ["booklet_format", "started_booklet", "write_booklet"]
+__all__ = ["booklet_format", "started_booklet", "started_picture", "write_booklet"]

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from popsim.assembly import AssemblyPlan
 from popsim.beside import Beside
@@ -12,7 +13,11 @@ from popsim.booklet.inks import STYLE
 from popsim.booklet.pages import draw_pages
 from popsim.design import Design
 from popsim.export.pdf import write_pages
+from popsim.geometry.arrays import UInt8Array
 from popsim.simulation import Sweep
+
+if TYPE_CHECKING:
+    from popsim.patches.popup_surface import Textures
 
 NAME = "instructions"
 PICTURE = "popup.png"
@@ -20,6 +25,19 @@ PICTURE = "popup.png"
 
 SIZE = 480, 360
 """Of the picture, in pixels."""
+
+
+def started_picture(design: Design, textures: "Textures") -> Beside[UInt8Array]:
+    """Begin to draw the cover picture, in a second process where there can be one.
+
+    Raises
+    ------
+    InputError
+        A texture is missing or no image.
+    """
+    from popsim.pictures import Look, open_shot
+
+    return Beside(open_shot(design, textures, Look(width=SIZE[0], height=SIZE[1])).take)
 
 
 def started_booklet(
@@ -52,15 +70,17 @@ def started_booklet(
     return Beside(lambda: make_booklet(plan, sweep, name, PICTURE, aspect, form, banner, checks))
 
 
-def write_booklet(booklet: Callable[[], Booklet], design: Design, form: Format, folder: Path) -> tuple[Path, ...]:
+def write_booklet(
+    booklet: Callable[[], Booklet], picture: Callable[[], UInt8Array], form: Format, folder: Path
+) -> tuple[Path, ...]:
     """Write `popup.png`, `instructions.pdf` and `instructions.html`; the same input gives the same bytes.
 
     Parameters
     ----------
     booklet:
         Asked for when the picture is drawn; see :func:`started_booklet`.
-    design:
-        What is built.
+    picture:
+        That of the cover, RGBA; see :func:`started_picture`.
     form:
         Of the pages.
     folder:
@@ -69,21 +89,13 @@ def write_booklet(booklet: Callable[[], Booklet], design: Design, form: Format, 
     Returns
     -------
     The files written.
-
-    Raises
-    ------
-    InputError
-        A texture is missing or no image.
     """
     from PIL import Image
 
-    from popsim.pictures import Look, open_picture
-
-    picture, pdf, html = (folder / file for file in (PICTURE, f"{NAME}.pdf", f"{NAME}.html"))
-    look = Look(width=SIZE[0], height=SIZE[1])
-    Image.fromarray(open_picture(design, folder, look)).save(picture, format="PNG")
+    cover, pdf, html = (folder / file for file in (PICTURE, f"{NAME}.pdf", f"{NAME}.html"))
+    Image.fromarray(picture()).save(cover, format="PNG")
     content = booklet()
     title = f"{content.name}: {NAME}"
     write_pages(draw_pages(content, form), pdf, style=STYLE, texture_root=folder, title=title)
     html.write_text(page_of(content, folder), encoding="utf-8")
-    return picture, pdf, html
+    return cover, pdf, html

@@ -1,5 +1,6 @@
 """Product shots: a surface on a table, in soft light, before a light backdrop."""
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -10,6 +11,7 @@ from popsim.pictures.look import Look
 
 if TYPE_CHECKING:
     from popsim.rendering.camera import Camera
+    from popsim.rendering.ray_scene import RayScene
 
 ABOVE, BELOW = (248, 249, 251), (222, 227, 233)
 """Colours of the backdrop at the upper and the lower border."""
@@ -29,17 +31,48 @@ def camera_for(box: FloatArray, look: Look) -> "Camera":
     return Camera.looking_at(box, look.azimuth, look.elevation, LENS, aspect=aspect, margin=0.05)
 
 
+@dataclass(frozen=True, eq=False)
+class Shot:
+    """A picture that is set up, ready to be taken.
+
+    Attributes
+    ----------
+    scene:
+        The surface, prepared for rays.
+    camera:
+        On it.
+    look:
+        Size of the picture.
+    """
+
+    scene: "RayScene"
+    camera: "Camera"
+    look: Look
+
+    @staticmethod
+    def of(surface: Surface, camera: "Camera", look: Look) -> "Shot":
+        """Set up a picture of a surface."""
+        from popsim.rendering.ray_scene import RayScene
+
+        return Shot(RayScene(surface), camera, look)
+
+    def take(self) -> UInt8Array:
+        """Take the picture, RGBA, shape (h, w, 4); the surface lies on a table."""
+        from PIL import Image
+
+        from popsim.rendering.picture import render_picture
+
+        look, table = self.look, float(self.scene.surface.bounds[0, 2]) - UNDER
+        size = look.width, look.height
+        pixels = render_picture(self.scene, self.camera, size, background=None, floor=table).pixels
+        scene = Image.fromarray(backdrop(look))
+        scene.alpha_composite(Image.fromarray(pixels))
+        return np.asarray(scene)
+
+
 def photograph(surface: Surface, camera: "Camera", look: Look) -> UInt8Array:
     """Take a picture, RGBA, shape (h, w, 4); the surface lies on a table."""
-    from PIL import Image
-
-    from popsim.rendering.picture import render_picture
-
-    table = float(surface.bounds[0, 2]) - UNDER
-    pixels = render_picture(surface, camera, (look.width, look.height), background=None, floor=table).pixels
-    scene = Image.fromarray(backdrop(look))
-    scene.alpha_composite(Image.fromarray(pixels))
-    return np.asarray(scene)
+    return Shot.of(surface, camera, look).take()
 
 
 def backdrop(look: Look) -> UInt8Array:

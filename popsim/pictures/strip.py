@@ -12,7 +12,7 @@ from popsim.geometry.arrays import FloatArray, UInt8Array
 from popsim.geometry.frame import OPEN
 from popsim.geometry.surface import Surface
 from popsim.pictures.look import Look
-from popsim.pictures.photo import camera_for, photograph
+from popsim.pictures.photo import Shot, camera_for, photograph
 
 if TYPE_CHECKING:
     from popsim.patches.popup_surface import Textures
@@ -89,11 +89,16 @@ def open_picture(design: Design, textures: "Textures", look: Look | None = None)
     InputError
         A texture is missing or no image.
     """
+    return open_shot(design, textures, look).take()
+
+
+def open_shot(design: Design, textures: "Textures", look: Look | None = None) -> Shot:
+    """Set up a picture of the open pop-up; errors as of :func:`open_picture`."""
     from popsim.patches.popup_surface import popup_surface
 
     look = look or Look()
     surface = popup_surface(design, textures)
-    return photograph(surface, camera_for(surface.bounds, look), look)
+    return Shot.of(surface, camera_for(surface.bounds, look), look)
 
 
 def beside(design: Design, textures: "Textures", solid: Surface, look: Look) -> UInt8Array:

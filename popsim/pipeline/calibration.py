@@ -2,6 +2,7 @@
 
 from pathlib import Path
 
+from popsim.booklet import started_picture
 from popsim.design import Card, Design
 from popsim.mechanisms import (
     MECHANISMS,
@@ -71,7 +72,10 @@ def deliver_calibration(
     """
 
     def fill(own: Path) -> list[Path]:
+        picture = started_picture(sweep.design, own)
         planned = plan_sheets(sweep.design, sweep, paper=settings.paper, settings=settings.layout)
-        return write_prints(planned, sweep.design, sweep, own, settings, name=NAME, footer=footer, checks=CHECKS)
+        return write_prints(
+            planned, sweep.design, sweep, picture.result, own, settings, name=NAME, footer=footer, checks=CHECKS
+        )
 
     return fill_folder(folder, fill, force=force)

@@ -1,10 +1,14 @@
 """Writing the folder that a run leaves behind."""
 
 import json
+from collections.abc import Callable, Sequence
+from functools import partial
 from pathlib import Path
 from typing import NamedTuple
 
+from popsim.booklet import started_picture
 from popsim.design import Source
+from popsim.geometry.arrays import UInt8Array
 from popsim.pipeline.folder import REPORT, fill_folder
 from popsim.pipeline.planned import Planned, plan_sheets
 from popsim.pipeline.prints import write_prints
@@ -40,39 +44,46 @@ def deliver(run: DesignRun, folder: Path, *, command: str, footer: str, force: b
     OutputError
         A file exists and `force` is false, or the folder cannot be written.
     """
-    planned = None
+    planned, fill = None, partial(_wishes_and_report, run, None, command)
     if run.verdict.passed or run.settings.allow_unverified:
         sweep = run.verdict.evidence.sweep
+        picture = started_picture(run.design, run.painted.images)
         planned = plan_sheets(run.design, sweep, paper=run.settings.paper, settings=run.settings.layout)
-    files = fill_folder(folder, lambda own: _fill(run, planned, own, command, footer), force=force)
-    return Delivery(files, planned)
+        fill = partial(_everything, run, planned, picture.result, command, footer)
+    return Delivery(fill_folder(folder, fill, force=force), planned)
 
 
-def _fill(run: DesignRun, planned: Planned | None, folder: Path, command: str, footer: str) -> list[Path]:
-    """Write everything into a folder of its own; the files, the report last."""
+def _everything(
+    run: DesignRun, planned: Planned, picture: Callable[[], UInt8Array], command: str, footer: str, folder: Path
+) -> list[Path]:
+    """Write all files into a folder of its own; the report is the last."""
     made: list[Path] = []
-    if planned is not None:
-        for name, content in run.painted.images.items():
-            (folder / name).parent.mkdir(exist_ok=True)
-            (folder / name).write_bytes(content)
-            made.append(folder / name)
-        banner = None if run.verdict.passed else UNVERIFIED
-        title = run.prepared.model.path.stem
-        sweep = run.verdict.evidence.sweep
-        made += write_prints(
-            planned,
-            run.design,
-            sweep,
-            folder,
-            run.settings,
-            name=title,
-            footer=footer,
-            banner=banner,
-            checks=bare_sides(run.painted.fins, run.settings.patches.reverse),
-        )
+    for name, content in run.painted.images.items():
+        (folder / name).parent.mkdir(exist_ok=True)
+        (folder / name).write_bytes(content)
+        made.append(folder / name)
+    made += write_prints(
+        planned,
+        run.design,
+        run.verdict.evidence.sweep,
+        picture,
+        folder,
+        run.settings,
+        name=run.prepared.model.path.stem,
+        footer=footer,
+        banner=None if run.verdict.passed else UNVERIFIED,
+        checks=bare_sides(run.painted.fins, run.settings.patches.reverse),
+    )
+    return made + _wishes_and_report(run, planned, command, folder, made)
+
+
+def _wishes_and_report(
+    run: DesignRun, planned: Planned | None, command: str, folder: Path, made: Sequence[Path] = ()
+) -> list[Path]:
+    """Write the wishes, and the report on these and on the files `made` before."""
     (folder / WISHES).write_text(_wishes(run, command))
-    files = [*made, folder / WISHES, folder / REPORT]
-    names = [file.relative_to(folder).as_posix() for file in files]
+    files = [folder / WISHES, folder / REPORT]
+    names = [file.relative_to(folder).as_posix() for file in (*made, *files)]
     report = json.dumps(report_of(run, planned, names, command), indent=1, allow_nan=False)
     (folder / REPORT).write_text(report + "\n")
     return files

@@ -1,10 +1,12 @@
 """What is printed of a design: sheets, booklet, steps in words."""
 
+from collections.abc import Callable
 from pathlib import Path
 
 from popsim.booklet import booklet_format, started_booklet, write_booklet
 from popsim.design import Design, dump_design
 from popsim.export import Printing, export
+from popsim.geometry.arrays import UInt8Array
 from popsim.pipeline.planned import Planned
 from popsim.pipeline.settings import RunSettings
 from popsim.simulation import Sweep
@@ -14,6 +16,7 @@ def write_prints(
     planned: Planned,
     design: Design,
     sweep: Sweep,
+    picture: Callable[[], UInt8Array],
     folder: Path,
     settings: RunSettings,
     *,
@@ -32,6 +35,8 @@ def write_prints(
         What is printed.
     sweep:
         The recorded motion of the design.
+    picture:
+        That of the cover; see :func:`popsim.booklet.started_picture`.
     name:
         Of the model, on the cover.
     footer:
@@ -61,7 +66,7 @@ def write_prints(
             plan=plan,
             sweep=sweep,
         )
-    made += write_booklet(booklet.result, design, form, folder)
+    made += write_booklet(booklet.result, picture, form, folder)
     made.append(folder / "assembly.md")
     made[-1].write_text(plan.text)
     return made

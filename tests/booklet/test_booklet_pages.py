@@ -11,7 +11,7 @@ import pytest
 from built_pop_up import Built
 
 from popsim.assembly import AssemblyPlan
-from popsim.booklet import started_booklet, write_booklet
+from popsim.booklet import started_booklet, started_picture, write_booklet
 from popsim.booklet.booklet import Booklet, make_booklet
 from popsim.booklet.closing import HALF, closing
 from popsim.booklet.eye import viewpoint
@@ -182,7 +182,7 @@ def test_html_is_complete_and_needs_nothing_else(built: Built) -> None:
 def test_same_plan_gives_the_same_bytes(built: Built, sweep: Sweep, tmp_path: Path) -> None:
     form = booklet_format(built.plan.layout.paper)
     booklet = started_booklet(built.plan, sweep, form, name=NAME, checks=CHECKS)
-    files = write_booklet(booklet.result, built.design, form, tmp_path)
+    files = write_booklet(booklet.result, started_picture(built.design, tmp_path).result, form, tmp_path)
     for file in files:
         assert file.read_bytes() == (built.folder / file.name).read_bytes(), file.name
 
