@@ -4,7 +4,7 @@ from popsim.fitting import Fit, FitSettings, Subject, fit, measure_volume
 from popsim.fitting.snap import Planes
 from popsim.pipeline.prepare import Prepared
 
-POINTS = 20_000
+POINTS = 10_000
 """Pseudo vertices that tell where the model's planes lie."""
 
 RANSAC_POINTS = 1000
