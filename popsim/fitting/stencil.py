@@ -6,6 +6,7 @@ from math import ceil, floor
 import numpy as np
 
 from popsim.fitting.fronts import Fronts
+from popsim.fitting.legs import legs
 from popsim.fitting.masks import FAR, FloatImage, extent, grown, parts
 from popsim.fitting.slant import ACROSS, Slant
 from popsim.geometry.arrays import BoolArray, FloatArray
@@ -55,7 +56,8 @@ class Stencil:
         """Hold a plate against a model.
 
         Within the face what lies no deeper shows, and what that encloses; beyond the face what lies near, but not
-        what hangs in the air there or is but a seam along the face. Patches inside show what both sides hide.
+        what hangs in the air there or is but a seam along the face; and no legs. Patches inside show what both
+        sides hide.
         """
         assert plate.room is not None  # plates give themselves room
         slant = Slant.of(plate.outward, plate.outline[0])
@@ -63,7 +65,9 @@ class Stencil:
         low, grain, (s, t) = _cells(outline, room, fronts.bounds[:, ACROSS[slant.axis]], fronts.pixel)
         inside = within(s, t, outline)
         free = within(s, t, room) & ~inside
-        face, near, there = _seen(plate, slant, s, t, fronts)
+        face, near, there, behind = _seen(plate, slant, s, t, fronts)
+        standing = ~legs(plate, behind, (face & inside) | (near & free), inside)
+        face, near = face & standing, near & standing
         beyond, shown = near & free, _held(face & inside, inside, fronts.pixel)
         dents = there & inside & ~face
         if dents.any():
@@ -111,16 +115,16 @@ def _cells(
 
 def _seen(
     plate: Plate, slant: Slant, s: FloatArray, t: FloatArray, fronts: Fronts
-) -> tuple[BoolArray, BoolArray, BoolArray]:
-    """Where a plate would show the model in its face, where beyond it, and where there is any."""
+) -> tuple[BoolArray, BoolArray, BoolArray, FloatArray]:
+    """Where a plate would show the model in its face, where beyond it, where there is any, and how deep, mm."""
     place = slant.along(s, t)
     behind = slant.sign * place - fronts.reach(slant.axis, slant.sign, s[:, 0], t[0])
     near, there = behind <= plate.beside, np.isfinite(behind)
     if plate.principal:
-        return (behind <= plate.behind) & there, near & there, there
+        return (behind <= plate.behind) & there, near & there, there, behind
     other = -slant.sign * place - fronts.reach(slant.axis, -slant.sign, s[:, 0], t[0])
     hidden = np.isfinite(other)
-    return there & hidden, near & (other <= plate.beside), there | hidden
+    return there & hidden, near & (other <= plate.beside), there | hidden, behind
 
 
 def _held(shown: BoolArray, inside: BoolArray, side: float) -> BoolArray:

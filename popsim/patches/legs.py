@@ -1,31 +1,15 @@
-"""What stands back beneath a plate that ends above the ground: wheels behind a bumper, an axle, legs of a table.
-
-Such a plate shows what lies near its plane, and what goes on from there without a step. What lies beneath an
-overhang of it and a step behind would dangle from it as legs do, in front of where the model has them.
-"""
+"""Legs in what a plate sees of the model; see :mod:`popsim.rendering.set_back`."""
 
 import numpy as np
 
-from popsim.geometry.arrays import BoolArray, FloatArray
+from popsim.geometry.arrays import BoolArray
 from popsim.patches.piece import Piece
 from popsim.patches.sight import Sight
 from popsim.rendering.segmentation import label_map
-
-SET_BACK = 0.75
-"""Share of the depth `behind` from which on a part of the model stands back. Wheels a little behind their bumper
-are part of a vehicle's front: without them its silhouette from there is up to a tenth worse."""
-
-STEP = 1.0
-"""mm; depth by which a surface may leave its quadratic course and still go on."""
+from popsim.rendering.set_back import SET_BACK, STEP, Face, is_leg
 
 LEAST = 2.0
 """mm^2; smaller parts belong to their neighbours."""
-
-OVERHUNG = 0.5
-"""Share of the upper ends of a part above which something nearer must lie."""
-
-WALL = 0.5
-"""Share of the height of its plate from which on a part is a wall; of the width, where it reaches the foot."""
 
 
 def legs(sight: Sight, piece: Piece) -> BoolArray:
@@ -36,28 +20,17 @@ def legs(sight: Sight, piece: Piece) -> BoolArray:
         return found
     depth = np.where(sight.mask, sight.depth, np.inf)
     labels = label_map(sight.mask, [(sight.depth, STEP)], LEAST / sight.grid.pixel**2)
+    face = _face(sight, piece)
     for label in range(1, int(labels.max(initial=0)) + 1):
         part = labels == label
-        if np.median(depth[part]) > back and _overhung(part, depth) and not _wall(part, sight, piece):
+        if np.median(depth[part]) > back and is_leg(part, depth, face):
             found |= part
     return found
 
 
-def _overhung(part: BoolArray, depth: FloatArray) -> bool:
-    """Whether something nearer lies above most of the upper ends of a part."""
-    columns = np.flatnonzero(part.any(axis=0))
-    top = part[:, columns].argmax(axis=0)
-    nearest = np.minimum.accumulate(depth[:, columns], axis=0)
-    above = np.where(top > 0, nearest[top - 1, np.arange(len(columns))], np.inf)
-    return bool((above < depth[top, columns] - STEP).mean() > OVERHUNG)
-
-
-def _wall(part: BoolArray, sight: Sight, piece: Piece) -> bool:
-    """Whether a part is half as high as the plate, or reaches its foot and is half as wide."""
-    left, lower, right, upper = piece.face.bounds
-    rows = np.flatnonzero(part.any(axis=1))
-    pixel = sight.grid.pixel
-    foot = sight.grid.low[1] + (sight.grid.shape[0] - rows[-1] - 1) * pixel
-    width, height = part.sum() / len(rows) * pixel, len(rows) * pixel
-    wide = foot < lower + 2 * pixel and width >= WALL * (right - left)
-    return bool(wide or height >= WALL * (upper - lower))
+def _face(sight: Sight, piece: Piece) -> Face:
+    """The face of a piece in the pixels of a sight."""
+    grid, (left, lower, right, upper) = sight.grid, piece.face.bounds
+    (x, y), rows = grid.low, grid.shape[0]
+    across, down = (np.array([left, right]) - x) / grid.pixel, rows - (np.array([upper, lower]) - y) / grid.pixel
+    return Face(float(across[0]), float(down[0]), float(across[1]), float(down[1]))

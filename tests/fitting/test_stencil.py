@@ -68,3 +68,26 @@ def test_points_lie_within_rectangles_and_others_alike(turn):
     points = np.random.default_rng(1).uniform(-6, 6, (400, 2))
     inside = (np.abs(points) < [4, 2]).all(axis=1)
     assert (within(*(points @ matrix).T, ring @ matrix) == inside).all()
+
+
+BONNET = block((-50, -30, 10), (50, 30, 40))
+AXLE_HEIGHT = [(50, 25, 5), (50, 25, 25)]
+
+
+def wheels(front):
+    """A wheel at each side whose front lies at some x."""
+    return [block((front - 12, side, 0), (front, side + 10, 10)) for side in (-30, 20)]
+
+
+@pytest.mark.parametrize(("front", "shown"), [(34, False), (41, True)])
+def test_wheels_show_on_a_front_unless_they_stand_back_as_legs_do(front, shown):
+    """As contours have it: see the patches of the same body."""
+    assert shows("F_L", AXLE_HEIGHT, BONNET, *wheels(front)) == [shown, True]
+
+
+def test_wheels_show_on_the_sides_wherever_they_stand():
+    assert shows("L", [(28, 30, 5)], BONNET, *wheels(34)) == [True]
+
+
+def test_a_wall_beneath_a_projecting_storey_is_no_leg():
+    assert shows("F_L", AXLE_HEIGHT, BONNET, block((-50, -30, 0), (41, 30, 10))) == [True, True]
