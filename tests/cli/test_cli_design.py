@@ -1,11 +1,15 @@
 """`popsim design` from model to folder."""
 
+import inspect
 import json
 from pathlib import Path
 
 import pytest
 
+from popsim.cli.choices import parse_weights
+from popsim.cli.design import design
 from popsim.design import load_design
+from popsim.fitting.ransac import Weights
 
 
 @pytest.fixture
@@ -59,3 +63,8 @@ def test_folder_of_the_user_is_left_alone_without_force(popsim, block: Path, tmp
     assert (tmp_path / "out" / "design.json").read_text() == "mine"
     assert popsim("design", block, "-o", "out", "--dpi", 60, "--force").returncode == 0
     assert (tmp_path / "out" / "design.json").read_text() != "mine"
+
+
+def test_the_usual_weights_are_those_of_fitting() -> None:
+    said = inspect.signature(design).parameters["weights"].default
+    assert parse_weights(said) == Weights()
