@@ -40,6 +40,12 @@ FOLDS_PLAINLY = 0.19
 SCORES = 0.45
 """mm; board thicker than this does not fold square along a score made by hand."""
 
+THINNEST_STRIP = 2.0
+"""mm; strips of paper and holes narrower than this are not cut by hand."""
+
+NEAR_EDGE = 1.5
+"""mm; what ends so near to an edge or a hinge goes on to it: a gap beside it cannot be cut either."""
+
 CreaseAdvice = Literal["fold", "score", "perforate"]
 
 _RANGES = {

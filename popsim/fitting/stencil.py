@@ -11,6 +11,7 @@ from popsim.fitting.masks import FAR, FloatImage, extent, grown, parts
 from popsim.fitting.slant import ACROSS, Slant
 from popsim.geometry.arrays import BoolArray, FloatArray
 from popsim.mechanisms import Plate
+from popsim.stock import NEAR_EDGE, THINNEST_STRIP
 
 SPARSE = 0.05
 """A face on which the model shows on less than this share stays whole: its hinges need paper to hold. A ring or a
@@ -21,12 +22,6 @@ RECTANGLE, STRAIGHT = 4, 1e-9
 
 ALONG = 0.5
 """A plate whose normal makes a greater |cos| with y does not go on over the fold."""
-
-SEAM = 2.0
-"""mm; narrower strips along a face are not cut."""
-
-NEAR = 1.5
-"""mm; what comes so near to the border of a face reaches it."""
 
 MARGIN = 2
 """Cells around all that can show; the outermost ones show nothing."""
@@ -129,7 +124,7 @@ def _seen(
 
 def _held(shown: BoolArray, inside: BoolArray, side: float) -> BoolArray:
     """What a face shows, and the cells from there to its border where that is near: hinges need paper."""
-    steps = max(round(NEAR / side), 1)
+    steps = max(round(NEAR_EDGE / side), 1)
     return shown | (inside & grown(~inside, steps) & grown(shown, steps))
 
 
@@ -172,7 +167,7 @@ def _attached(shown: BoolArray, inside: BoolArray, beyond: BoolArray, side: floa
     """What hangs together with what a face shows, and is more than a seam along it."""
     if not beyond.any():
         return beyond
-    steps = max(round(SEAM / side) - 1, 1)
+    steps = max(round(THINNEST_STRIP / side) - 1, 1)
     far = beyond & ~grown(inside, steps)
     if not far.any():
         return far

@@ -3,6 +3,7 @@
 from dataclasses import dataclass, field
 
 from popsim.errors import InputError
+from popsim.stock import NEAR_EDGE, THINNEST_STRIP
 
 MM_PER_INCH = 25.4
 
@@ -43,8 +44,8 @@ class PatchSettings:
     dpi: float = 300.0
     pixel: float = 0.2
     tolerance: float = 0.3
-    thinnest: float = 2.0
-    snap: float = 1.5
+    thinnest: float = THINNEST_STRIP
+    snap: float = NEAR_EDGE
     seam: float = 2.5
     least_share: float = 0.25
     least_length: float = 6.0
