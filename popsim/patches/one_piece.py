@@ -2,8 +2,10 @@
 
 from typing import TYPE_CHECKING
 
-from popsim.patches.bridge import straight, way_round
-from popsim.patches.clean import polygons, simplified, straightened, tidy, union
+import numpy as np
+
+from popsim.patches.bridge import WIDTH, straight, way_round
+from popsim.patches.clean import polygons, simplified, straightened, tidy, union, without
 from popsim.patches.piece import Piece
 from popsim.patches.settings import PatchSettings
 
@@ -11,7 +13,13 @@ if TYPE_CHECKING:
     from shapely.geometry import Polygon
 
 NEAR = 4.0
-"""mm; islands nearer than this are joined by a bridge."""
+"""mm; islands nearer than this are joined by a bridge, of whatever size."""
+
+WORTH = 0.2
+"""Share of an island's area that the bridge to it may have: the larger it is, the longer a bridge it is worth."""
+
+LONGEST = 25.0
+"""mm; a longer bridge would not hold an island in its plane, however large it is."""
 
 WORTHY = 20.0
 """mm^2; islands below this are dropped without a bridge, and below its half without a note."""
@@ -34,17 +42,44 @@ def finished(piece: Piece, settings: PatchSettings) -> tuple["Polygon", list[str
 
 
 def in_one_piece(parts: list["Polygon"], piece: Piece) -> tuple["Polygon | None", list[str]]:
-    """The largest of some parts of a piece, joined by what is near or needed at its hinges; and notes."""
+    """The largest of some parts of a piece, joined by what is near, large or needed at its hinges; and notes.
+
+    The nearest part comes next, so that islands may lead to others.
+    """
     if not parts:
         return None, []
-    main, notes = parts[0], []
-    for island in parts[1:]:
-        needed = any(strip.intersection(island).area > 0 for strip in piece.held)
-        if needed or (island.area >= WORTHY and island.distance(main) <= NEAR):
+    main, left, notes = parts[0], parts[1:], []
+    while left:
+        island = left.pop(int(np.argmin([part.distance(main) for part in left])))
+        if any(strip.intersection(island).area > 0 for strip in piece.held):
             main = _joined(main, island, piece)
+        elif (joined := _joined_by_bridge(main, island, piece)) is not None:
+            if (gap := island.distance(main)) > NEAR:
+                notes.append(f"{piece.id}: an island of {island.area:.0f} mm² is joined over {gap:.0f} mm")
+            main = joined
         elif island.area >= WORTHY / 2:
             notes.append(f"{piece.id}: an island of {island.area:.0f} mm² is left out")
     return main, notes
+
+
+def reach(island: "Polygon") -> float:
+    """How long a bridge to an island may be, mm; 0 where none is worth it."""
+    if island.area < WORTHY:
+        return 0.0
+    return min(max(NEAR, WORTH * float(island.area) / WIDTH), LONGEST)
+
+
+def _joined_by_bridge(main: "Polygon", island: "Polygon", piece: Piece) -> "Polygon | None":
+    """Two polygons joined by a bridge that the island is worth; None where there is no such bridge."""
+    allowed = reach(island)
+    if not 0 < allowed >= island.distance(main):
+        return None
+    for bridge in (straight, way_round):
+        paper = bridge(main, island, piece)
+        parts = polygons(union(main, island, paper))
+        if len(parts) == 1 and without(paper, union(main, island)).area <= WIDTH * (allowed + WIDTH):
+            return parts[0]
+    return None
 
 
 def _joined(main: "Polygon", island: "Polygon", piece: Piece) -> "Polygon":

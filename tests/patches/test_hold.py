@@ -2,15 +2,18 @@
 
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 from shapely.geometry import LineString, Point, Polygon, box
 
 from popsim.geometry.plane import Plane
 from popsim.mechanisms import Plate
 from popsim.patches import PatchSettings
-from popsim.patches.clean import cuttable, polygons, union
+from popsim.patches.bridge import WIDTH
+from popsim.patches.clean import cuttable, polygons, union, without
 from popsim.patches.crossing import Meeting, uncross
 from popsim.patches.hold import Run, hold
-from popsim.patches.one_piece import finished
+from popsim.patches.one_piece import NEAR, finished, reach
 from popsim.patches.piece import Piece
 from popsim.patches.slits import slit
 
@@ -154,6 +157,40 @@ def test_near_islands_are_joined_and_far_ones_dropped_with_a_note():
     outline, notes = finished(far, SETTINGS)
     assert outline.bounds[2] == 40
     assert notes == ["P: an island of 100 mm² is left out"]
+
+
+@given(side=st.floats(4.5, 30), gap=st.floats(0.5, 50))
+@settings(max_examples=30, deadline=None)
+def test_an_island_is_joined_over_what_its_size_is_worth(side, gap):
+    island = box(40 + gap, 5, 40 + gap + side, 5 + side)
+    own = piece(union(box(0, 0, 40, 40), island), room=(-20, -20, 200, 90))
+    outline, notes = finished(own, SETTINGS)
+    assert outline.intersection(island).area == pytest.approx(island.area if gap <= reach(island) else 0, abs=0.1)
+    assert bool(notes) == (gap > NEAR)
+    paper = outline.area - 1600 - outline.intersection(island).area
+    assert -0.1 <= paper <= WIDTH * reach(island) + 0.1
+
+
+def test_a_bridge_that_must_go_a_long_way_round_is_not_built():
+    """A slot of 8 mm lies between, and leaves no room for paper but at its far end."""
+    own = piece(union(box(0, 0, 16, 90), box(24, 60, 36, 90)), face=(0, 0, 16, 90))
+    own.room = without(box(0, 0, 40, 90), box(16, 20, 24, 90))
+    outline, notes = finished(own, SETTINGS)
+    assert outline.bounds[2] == 16 and notes == ["P: an island of 360 mm² is left out"]
+    own.room = box(0, 0, 40, 90)
+    outline, notes = finished(own, SETTINGS)
+    assert outline.bounds[2] == 36 and notes == ["P: an island of 360 mm² is joined over 8 mm"]
+
+
+def test_islands_lead_to_others():
+    middle, far = box(46, 0, 58, 12), box(66, 0, 80, 14)
+    own = piece(union(box(0, 0, 40, 40), middle, far))
+    outline, notes = finished(own, SETTINGS)
+    assert outline.contains(far.buffer(-0.1)) and outline.contains(middle.buffer(-0.1))
+    assert notes == [
+        "P: an island of 144 mm² is joined over 6 mm",
+        "P: an island of 196 mm² is joined over 8 mm",
+    ]
 
 
 def test_an_island_that_carries_a_hinge_is_always_joined():
