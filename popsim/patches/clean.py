@@ -28,6 +28,9 @@ LONG = 3.0
 SLIM = 0.7
 """and it may be this much thinner in places than on average."""
 
+ROUND = 3
+"""Corners to a quarter of a circle, round bends of what is widened: mitres would stick out of it."""
+
 ROUNDING = 0.02
 """mm; paper narrower than this is a rounding error."""
 
@@ -90,9 +93,17 @@ def cuttable(wanted: "BaseGeometry", room: "Polygon", settings: PatchSettings) -
 
 
 def _widened(bar: "Polygon", least: float) -> "Polygon":
-    """A bar that is too thin, all of it at least that wide."""
+    """A bar that is too thin, all of it at least that wide, but no longer: spikes beyond its ends go."""
+    import shapely
+
     width = SLIM * 2 * bar.area / bar.length
-    return _offset(bar, max(least - width, 0.0) / 2)
+    by = max(least - width, 0.0) / 2
+    frame = shapely.minimum_rotated_rectangle(bar)
+    (a, b, c, _, _) = shapely.get_coordinates(frame)
+    across = (b - a if np.linalg.norm(b - a) < np.linalg.norm(c - b) else c - b) if by else np.zeros(2)
+    aside = across * by / max(float(np.linalg.norm(across)), ROUNDING)
+    corners = np.concatenate([shapely.get_coordinates(frame) + sign * aside for sign in (1, -1)])
+    return common(bar.buffer(by, quad_segs=ROUND), shapely.MultiPoint(corners).convex_hull)
 
 
 def straightened(shape: "BaseGeometry", face: "Polygon", settings: PatchSettings) -> "BaseGeometry":

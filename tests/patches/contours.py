@@ -9,7 +9,7 @@ from shapely.geometry import LineString
 from popsim.mechanisms import AS_THEY_ARE
 from popsim.patches import cut as cutting
 from popsim.patches import one_piece
-from popsim.patches.clean import cuttable
+from popsim.patches.clean import closed, cuttable, opened
 from popsim.patches.legs import legs
 from popsim.patches.sight import Grid, look, shows
 from popsim.patches.silhouette import mask_polygon
@@ -38,7 +38,8 @@ def departures(mechanisms, scene, boxes, settings, monkeypatch, factors=AS_THEY_
     """Departures of all patches that show something; parameters as of :func:`popsim.patches.cut.cut`.
 
     Nothing is measured beside edges of faces and rooms and beside hinges (outlines go to them), where paper or
-    gaps are too narrow to cut, at legs, where two overhangs would cross, at slits, bridges, and islands left out.
+    gaps are too narrow to cut (strips are made wider, to either side by up to half of what can be cut), at legs,
+    where two overhangs would cross, at slits, bridges, and islands left out.
     """
     changed = _changes(monkeypatch)
     found = cutting.cut(mechanisms, scene, boxes, settings, factors)
@@ -85,7 +86,7 @@ def _departure(piece, outline, mechanisms, scene, settings, changed):
         dents = np.where(grid.covered(piece.recesses), REACH, np.nan)
         mask |= shows(scene, grid, piece.box, -REACH, dents)
     shape = mask_polygon(mask, grid)
-    narrow = shape.symmetric_difference(cuttable(shape, piece.room, settings))
+    narrow = shape.symmetric_difference(cuttable(shape, piece.room, settings)).union(_thin(shape, settings))
     coarse = Grid.over(piece.plane, piece.room.bounds, settings.pixel)
     sight = look(scene, coarse, piece.box, -REACH, depths(piece, coarse, piece.room), bary=False)
     upright = piece.stands or piece.plate.lies
@@ -107,6 +108,16 @@ def _departure(piece, outline, mechanisms, scene, settings, changed):
     )
     ours, theirs = outline.boundary, shape.boundary
     return Departure(piece.id, _distances(ours, theirs, ruled), _distances(theirs, ours, ruled))
+
+
+def _thin(shape, settings):
+    """Where a shape or a gap in it is too narrow to cut, and where what is made wide enough to cut may reach.
+
+    What is wider by no more than two pixels may have been too narrow in the pixels that outlines are cut after.
+    """
+    least = settings.thinnest + 2 * settings.pixel
+    gaps, strips = closed(shape, least).difference(shape), shape.difference(opened(shape, least))
+    return shapely.union_all([gaps, strips.buffer(settings.thinnest / 2)])
 
 
 def _distances(line, other, ruled):

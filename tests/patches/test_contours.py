@@ -22,6 +22,7 @@ MODELS = [
     ("castle/building_castle_red.obj", 1),
     ("church/building_church_red.obj", 1),
     ("house_garage/house_3.obj", 2),
+    ("radio_tower/radio_tower.obj", 2),
 ]
 """And which of their axes points up."""
 

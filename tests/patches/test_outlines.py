@@ -97,3 +97,16 @@ def test_overlays_leave_areas_only():
 def test_settings_that_make_no_sense_are_refused(wrong):
     with pytest.raises(InputError):
         PatchSettings(**wrong)
+
+
+@given(turn=st.floats(0, 180), width=st.floats(0.4, 1.6), jog=st.floats(0, 0.5))
+@settings(max_examples=30, deadline=None)
+def test_bars_are_widened_to_the_side_and_never_lengthened(turn, width, jog):
+    upright = union(box(0, 0, width, 12), box(jog, 12, jog + width, 25))
+    bar = rotate(upright, turn, origin=(0, 0))
+    made = cuttable(bar, ROOM, SETTINGS)
+    upright_again = rotate(made, -turn, origin=(0, 0))
+    left, lower, right, upper = upright_again.bounds
+    assert -0.05 <= lower < 1 and 24 < upper <= 25.05
+    assert SETTINGS.thinnest <= right - left <= width + jog + SETTINGS.thinnest
+    assert hausdorff_distance(made, bar) <= SETTINGS.thinnest / 2 + SETTINGS.tolerance
