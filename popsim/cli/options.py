@@ -12,7 +12,7 @@ Formats = Annotated[
     list[str] | None, typer.Option(help="pdf, svg, dxf or fold; may be repeated. By default pdf and svg.")
 ]
 TwoSided = Annotated[bool, typer.Option("--two-sided", help="Mirrored sheets for the back.")]
-Grain = Annotated[bool, typer.Option("--grain", help="Keep the direction of the paper's grain.")]
+Grain = Annotated[bool, typer.Option("--grain", help="The paper's grain runs along the fold in all pieces.")]
 Registration = Annotated[
     str, typer.Option(help="Marks and limits of a cutting machine: none, silhouette or cricut.")
 ]

@@ -48,7 +48,7 @@ def plain_divisions(design: Design, room: Room, settings: LayoutSettings) -> tup
         for patch in group:
             if len(plain[patch.id]) > MOST_PARTS:
                 raise _refusal(patch, design, room, settings, f"it would take {len(plain[patch.id])} parts")
-        marks += _corners(design, plain)
+        marks += _corners(design, plain, settings.grain_axis(room))
         found.append(plain)
     return tuple(found)
 
@@ -60,8 +60,8 @@ def other_divisions(
 
     `before` are the plainest divisions of the planes before.
     """
-    group = [design.patch_by_id[name] for name in plain]
-    marks = [corner for division in before for corner in _corners(design, division)]
+    group, grain = [design.patch_by_id[name] for name in plain], settings.grain_axis(room)
+    marks = [corner for division in before for corner in _corners(design, division, grain)]
     found = {_content(plain): plain}
     for more in (0, 1):
         for leaning in LEANINGS:
@@ -76,12 +76,12 @@ def count_parts(division: Division) -> int:
     return sum(map(len, division.values()))
 
 
-def parts_of(design: Design, divisions: Iterable[Division]) -> tuple[Part, ...]:
-    """The parts of all patches, in the order of the design."""
+def parts_of(design: Design, divisions: Iterable[Division], grain: int | None = None) -> tuple[Part, ...]:
+    """The parts of all patches, in the order of the design; `grain` as of :func:`popsim.layout.parts.whole`."""
     divided = {name: polygons for division in divisions for name, polygons in division.items()}
     parts: list[Part] = []
     for patch in design.patches:
-        part = whole(patch)
+        part = whole(patch, grain)
         if patch.id in divided:
             parts += [Part(f"{part.id}/{k}", patch, part.plane, p) for k, p in enumerate(divided[patch.id], 1)]
         else:
@@ -93,7 +93,7 @@ def _groups(design: Design, room: Room, settings: LayoutSettings) -> list[list[P
     """Patches that must be divided, by their planes."""
     groups: list[list[Patch]] = []
     for patch in design.patches:
-        part = whole(patch)
+        part = whole(patch, settings.grain_axis(room))
         with_flaps = _with_flaps(part, design.hinges_by_patch[patch.id], settings)
         if fits(with_flaps, room, 0.0, grain=settings.grain):
             continue
@@ -123,7 +123,7 @@ def _divided(
     division: dict[str, tuple[Polygon, ...]] = {}
     marks = list(before)
     for patch in group:
-        part = whole(patch)
+        part = whole(patch, settings.grain_axis(room))
         lines = [part.flat(hinge.points) for hinge in design.hinges_by_patch[patch.id]]
         wished = [part.flat(mark) for mark in marks if abs(float(part.plane.distance(mark))) < TOUCHING]
         whole_flaps = _size(_with_flaps(part, design.hinges_by_patch[patch.id], settings)) - _size(part.polygon)
@@ -133,7 +133,7 @@ def _divided(
         hints = Hints(lines, wished)
         polygons = cut(part.polygon, room, flaps, hints, leaning=leaning, more=more, grain=settings.grain)
         division[patch.id] = tuple(polygons)
-        marks += _corners(design, {patch.id: division[patch.id]})
+        marks += _corners(design, {patch.id: division[patch.id]}, settings.grain_axis(room))
     return division
 
 
@@ -143,10 +143,10 @@ def _size(shape: "Polygon") -> FloatArray:
     return np.array([high_u - low_u, high_v - low_v])
 
 
-def _corners(design: Design, division: Division) -> list[FloatArray]:
+def _corners(design: Design, division: Division, grain: int | None) -> list[FloatArray]:
     """Corners of the parts of patches, in the open pose, each (3,)."""
     return [
-        whole(design.patch_by_id[name]).plane.lift(np.array(corner))
+        whole(design.patch_by_id[name], grain).plane.lift(np.array(corner))
         for name, polygons in division.items()
         for polygon in polygons
         for corner in polygon.exterior.coords[:-1]
@@ -158,7 +158,7 @@ def _content(division: Division) -> tuple[bytes, ...]:
 
 
 def _refusal(patch: Patch, design: Design, room: Room, settings: LayoutSettings, why: str) -> Exception:
-    part = whole(patch)
+    part = whole(patch, settings.grain_axis(room))
     with_flaps = _with_flaps(part, design.hinges_by_patch[patch.id], settings)
     return too_large(patch.id, part.polygon, with_flaps, room, grain=settings.grain, why=why)
 

@@ -156,7 +156,7 @@ def _planned(
 ) -> Planned:
     """All pieces, with patches divided as told, where some joints are `barred` from being folds."""
     thickness = settings.stock.thickness if settings.stock else 0.0
-    listed = cut_back(parts_of(design, divisions), design, thickness)
+    listed = cut_back(parts_of(design, divisions, settings.grain_axis(room)), design, thickness)
     parts = {part.id: part for part in listed}
     joints = find_joints(design, listed)
     nets, flaps = plan_pieces(listed, joints, room, settings, in_the_way, barred)

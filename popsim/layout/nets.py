@@ -88,7 +88,7 @@ def find_nets(
 
     nets = []
     for group in _groups(tuple(by_id), folds):
-        nets += _best([by_id[name] for name in group], folds, goes_on)
+        nets += _best([by_id[name] for name in group], folds, goes_on, grain)
     order = {name: k for k, name in enumerate(by_id)}
     return tuple(sorted(nets, key=lambda net: order[next(iter(net.motions))]))
 
@@ -115,13 +115,13 @@ def _groups(names: Iterable[str], folds: list[Fold]) -> list[list[str]]:
     return [sorted(group, key=order.__getitem__) for group in networkx.connected_components(graph)]
 
 
-def _best(parts: list[Part], folds: list[Fold], goes_on: GoesOn) -> list[Net]:
+def _best(parts: list[Part], folds: list[Fold], goes_on: GoesOn, grain: bool) -> list[Net]:
     names = {part.id for part in parts}
     own = sorted((f for f in folds if f.joint.parts[0] in names), key=lambda f: (-f.joint.length, f.joint.id))
     shuffled = Random(0)
     best: tuple[tuple[float, ...], list[Net]] | None = None
     for _ in range(TRIES):
-        nets = _grow(parts, own, goes_on)
+        nets = _grow(parts, own, goes_on, grain)
         score = _score(nets, parts)
         if best is None or score < best[0]:
             best = score, nets
@@ -157,16 +157,27 @@ class _Cluster:
         self.outlines: list[BaseGeometry] = [part.polygon]
         self.folds: list[Joint] = []
 
+    @property
+    def paper(self) -> float:
+        """Area of its parts, mm^2."""
+        return float(sum(outline.area for outline in self.outlines))
 
-def _grow(parts: list[Part], order: list[Fold], goes_on: GoesOn) -> list[Net]:
-    """Kruskal: join clusters across folds in the given order wherever the result is a net."""
+
+def _grow(parts: list[Part], order: list[Fold], goes_on: GoesOn, grain: bool) -> list[Net]:
+    """Kruskal: join clusters across folds in the given order wherever the result is a net.
+
+    Where `grain` counts, the result lies as that of the two does which has more paper.
+    """
     where = {part.id: _Cluster(part) for part in parts}
     for fold in order:
         first, second = (where[name] for name in fold.joint.parts)
         if first is second:
             if _coincides(fold, first):
                 first.folds.append(fold.joint)
-        elif _join(fold, first, second, goes_on):
+            continue
+        if grain and second.paper > first.paper:
+            first, second = second, first
+        if _join(fold, first, second, goes_on):
             where |= dict.fromkeys(second.motions, first)
     clusters = list(dict.fromkeys(where[part.id] for part in parts))
     rank = {part.id: k for k, part in enumerate(parts)}
@@ -185,11 +196,13 @@ def _coincides(fold: Fold, cluster: _Cluster) -> bool:
 
 
 def _join(fold: Fold, first: _Cluster, second: _Cluster, goes_on: GoesOn) -> bool:
-    """Add `second` to `first` unless they overlap or the result exceeds the sheet."""
+    """Add `second` to `first`, which stays as it lies, unless they overlap or the result exceeds the sheet."""
     import shapely
 
-    a, b = fold.joint.parts
-    target, source = move(first.motions[a], fold.ends[0]), move(second.motions[b], fold.ends[1])
+    ends = dict(zip(fold.joint.parts, fold.ends, strict=True))
+    target, source = (
+        move(own.motions[name], ends[name]) for own in (first, second) for name in ends if name in own.motions
+    )
     motion = segment_motion(source, target)
     shapes = [move_shape(motion, shape) for shape in second.shapes]
     if shapely.intersects(np.array(first.shapes)[:, None], np.array(shapes)[None]).any():

@@ -13,6 +13,13 @@ if TYPE_CHECKING:
     from shapely.geometry import Polygon
 
 
+FOLD = np.array([1.0, 0.0, 0.0])
+"""Direction of the central fold, along which the grain of the paper runs."""
+
+ACROSS = 0.25
+"""A patch is square to the fold where less than this share of its direction lies in its plane."""
+
+
 @dataclass(frozen=True, eq=False)
 class Part:
     """A patch, or a part of one, seen flat from its printed side.
@@ -54,9 +61,24 @@ def printed_plane(patch: Patch) -> Plane:
     return Plane.facing(-patch.plane.normal, patch.plane.origin)
 
 
-def whole(patch: Patch) -> Part:
-    """The whole patch as one part."""
+def with_grain(plane: Plane, axis: int) -> Plane:
+    """The same plane with the grain of the paper along its u (axis 0) or v (axis 1).
+
+    The grain runs along the central fold, as seen squarely from the plane; in planes that are square to it, level.
+    """
+    normal = plane.normal
+    seen = FOLD - (FOLD @ normal) * normal
+    if np.linalg.norm(seen) < ACROSS:
+        seen = np.cross([0.0, 0.0, 1.0], normal)
+    along = seen / np.linalg.norm(seen)
+    if axis == 0:
+        return Plane(plane.origin, along, np.cross(normal, along))
+    return Plane(plane.origin, np.cross(along, normal), along)
+
+
+def whole(patch: Patch, grain: int | None = None) -> Part:
+    """The whole patch as one part; `grain` is the flat axis that the grain of the paper follows, if any."""
     import shapely
 
-    plane = printed_plane(patch)
+    plane = printed_plane(patch) if grain is None else with_grain(printed_plane(patch), grain)
     return Part(patch.id, patch, plane, shapely.orient_polygons(plane.polygon(patch.points, patch.hole_points)))

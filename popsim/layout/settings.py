@@ -49,7 +49,8 @@ class LayoutSettings:
     split:
         Divide patches too large for the sheet; else they are refused.
     grain:
-        Keep the direction of the paper's grain: pieces are turned by half turns only.
+        Keep the direction of the paper's grain: it runs along the central fold in all patches, and along the
+        longer side of the sheet, so that pieces are turned by half turns only.
     stock:
         The paper; None for common paper that needs no advice, with edges as designed.
     registration:
@@ -92,6 +93,10 @@ class LayoutSettings:
     def clearance(self) -> float:
         """How far a flap stays inside the outline of its target and off other lines, mm."""
         return KNIFE + self.thickness
+
+    def grain_axis(self, room: tuple[float, float]) -> int | None:
+        """Which side of a sheet of this usable area the grain follows: 0 its width, 1 its height; None for any."""
+        return int(room[1] >= room[0]) if self.grain else None
 
     def frame(self, paper: Paper) -> Frame:
         """What of `paper` is printed on at all, texts included.

@@ -132,8 +132,8 @@ def test_parts_are_in_the_order_of_the_design() -> None:
 
 
 def test_grain_divides_what_goes_on_turned_alone() -> None:
-    """A page that is wider than the sheet and would go onto it on its side is divided: nothing is turned."""
-    made = design(230, 120, half_width=20, height=30)
+    """A page that is deeper than the sheet is wide is divided: its fold runs along the sheet, nothing turns."""
+    made = design(120, 230, half_width=20, height=30)
     assert seams(lay_out(made, paper="A4")) == 0
     layout = lay_out(made, paper="A4", settings=LayoutSettings(grain=True))
     assert seams(layout) == 2
