@@ -11,6 +11,7 @@ import numpy as np
 
 from popsim.geometry.arrays import BoolArray, FloatArray, IntArray, UInt8Array
 from popsim.patches.sight import Grid, Sight, colours, look
+from popsim.rendering.opencv import opencv
 from popsim.rendering.parallel import map_chunks
 from popsim.rendering.ray_scene import RayScene
 from popsim.rendering.texture import eight_bit
@@ -56,8 +57,7 @@ def refined(
 
 def _enlarged(image: UInt8Array) -> UInt8Array:
     """Pixels interpolated between the centres of blocks."""
-    import cv2
-
+    cv2 = opencv()
     rows, columns = image.shape[:2]
     return np.asarray(cv2.resize(image, (columns * BLOCK, rows * BLOCK), interpolation=cv2.INTER_LINEAR), np.uint8)
 
@@ -69,8 +69,7 @@ def _pixels(blocks: Values) -> Values:
 
 def _changing(image: UInt8Array, mask: BoolArray) -> BoolArray:
     """Blocks beside which the colour or what is seen changes, shape (rows, columns)."""
-    import cv2
-
+    cv2 = opencv()
     channels = np.dstack([image, np.where(mask, np.uint8(255), np.uint8(0))])
     around = np.ones((3, 3), dtype=np.uint8)
     spread = cv2.dilate(channels, around) - cv2.erode(channels, around)
@@ -90,8 +89,7 @@ def _within_faces(sight: Sight) -> BoolArray:
 
 def _colour_faces(scene: RayScene, sight: Sight, chosen: BoolArray, image: UInt8Array) -> None:
     """Colour the pixels of blocks that lie within one face: what colours depend on goes on linearly."""
-    import cv2
-
+    cv2 = opencv()
     seen = np.flatnonzero(sight.face >= 0)
     known = scene.paint.places(sight.face[seen], sight.bary[seen])
     at = np.flatnonzero(_pixels(chosen))

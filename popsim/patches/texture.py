@@ -13,6 +13,7 @@ from popsim.patches.settings import PatchSettings
 from popsim.patches.sight import Grid, colours, lines, look
 from popsim.patches.wanted import REACH, depths
 from popsim.rendering.light import LINE
+from popsim.rendering.opencv import opencv
 from popsim.rendering.ray_scene import RayScene
 
 if TYPE_CHECKING:
@@ -61,8 +62,7 @@ def frame_of(grid: Grid) -> TextureFrame:
 
 def nearest_seen(mask: BoolArray) -> tuple[IntArray, IntArray]:
     """Row and column of the nearest true pixel of a mask, nearly, for each of its pixels."""
-    import cv2
-
+    cv2 = opencv()
     unseen = np.where(mask, np.uint8(0), np.uint8(255))
     _, labels = cv2.distanceTransformWithLabels(unseen, cv2.DIST_L2, 5, labelType=cv2.DIST_LABEL_PIXEL)
     place = np.zeros(int(labels.max()) + 1, dtype=np.int64)
@@ -74,12 +74,11 @@ def nearest_seen(mask: BoolArray) -> tuple[IntArray, IntArray]:
 
 def png(image: UInt8Array) -> bytes:
     """An image (rows, columns, 3) as a PNG: the same bytes for the same pixels, no time, no text."""
-    import cv2
-
+    cv2 = opencv()
     how = (
         (cv2.IMWRITE_PNG_COMPRESSION, FAST),
         (cv2.IMWRITE_PNG_STRATEGY, cv2.IMWRITE_PNG_STRATEGY_RLE),
         (cv2.IMWRITE_PNG_FILTER, cv2.IMWRITE_PNG_FILTER_PAETH),
     )
     _, data = cv2.imencode(".png", cv2.cvtColor(image, cv2.COLOR_RGB2BGR), [word for pair in how for word in pair])
-    return data.tobytes()
+    return bytes(data.tobytes())

@@ -5,6 +5,7 @@ import numpy.typing as npt
 
 from popsim.errors import GeometryError
 from popsim.geometry.arrays import BoolArray, FloatArray, UInt8Array
+from popsim.rendering.opencv import opencv
 
 OPAQUE = 0.5  # texels of less alpha are holes
 ROW = 512  # places are looked up in rows of so many
@@ -102,8 +103,7 @@ class Texture:
 
 def _opaque_bilinear(image: UInt8Array, uv: npt.NDArray[np.float32], one_tile: bool) -> Colours:
     """As :func:`_bilinear`, to the nearest of 255 steps, in a fifth of the time."""
-    import cv2
-
+    cv2 = opencv()
     count, (rows, columns) = len(uv), image.shape[:2]
     at = np.zeros((2, -(-count // ROW) * ROW), dtype=np.float32)
     within = uv if one_tile else uv - np.floor(uv)

@@ -12,6 +12,7 @@ from shapely import hausdorff_distance, unary_union
 from shapely.affinity import rotate
 from shapely.geometry import Point, Polygon, box
 
+from popsim.beside import Beside
 from popsim.design import Card, dump_design
 from popsim.errors import GeometryError
 from popsim.geometry.surface import Material, Surface
@@ -88,6 +89,14 @@ def test_the_same_input_gives_the_same_bytes(plain_box):
     again = painted([box_fold()], coloured_box((-50, -30, 0), (50, 30, 40)))
     assert again.images == plain_box.images
     assert all(np.array_equal(again.shapes[k].outline, plain_box.shapes[k].outline) for k in again.shapes)
+
+
+def test_printing_leaves_no_threads_of_opencv_that_a_forked_process_would_wait_for(plain_box):
+    import cv2
+
+    assert plain_box.images
+    assert cv2.getNumThreads() == 1
+    assert Beside(lambda: cv2.setNumThreads(1)).result() is None
 
 
 def truck():

@@ -10,6 +10,8 @@ from popsim.mechanisms.box_fold import BoxFold
 from popsim.mesh.loading import load_model
 from popsim.patches import PatchSettings, paint
 from popsim.patches.popup_surface import popup_surface
+from popsim.pipeline.run import run_design
+from popsim.pipeline.settings import RunSettings
 from popsim.rendering.maps import render_maps
 from popsim.rendering.view import View
 
@@ -46,7 +48,11 @@ def registration(model: Surface) -> float:
     box = BoxFold.plain("M1", card_pair(card), y, z, (-x, x))
     painted = paint([box], model, {"M1": grown(model.bounds, 1.0)}, PatchSettings(dpi=100))
     design = assemble(card, [box], painted.shapes)
-    popup = popup_surface(design, painted.images, pages=False)
+    return apart(model, popup_surface(design, painted.images, pages=False))
+
+
+def apart(model: Surface, popup: Surface) -> float:
+    """Mean colour difference between a model and a pop-up in the same frame, over all views, of 1."""
     found = []
     for eye in VIEWS:
         up = (1, 0, 0) if eye[2] else (0, 0, 1)
@@ -66,6 +72,16 @@ def test_prints_of_real_models_lie_where_their_colours_are(shared_meshes, name):
 def test_prints_of_the_truck_lie_where_its_colours_are(models):
     truck = load_model(models / "truck" / "truck.obj").surface
     assert registration(standing(truck, up=1)) < ALLOWED
+
+
+def test_prints_of_a_whole_design_lie_where_the_colours_of_the_model_are(models):
+    """The town hall's own design, with all its steps, roofs and fins."""
+    run = run_design(models / "town_hall" / "town_hall.obj", RunSettings(patches=PatchSettings(dpi=100)))
+    popup = popup_surface(run.design, run.painted.images, pages=False)
+    assert apart(run.prepared.surface, popup) < ALLOWED
+    moved = np.eye(4)
+    moved[0, 3] = 4.0
+    assert apart(run.prepared.surface, popup.transformed(moved)) > ALLOWED / 2  # and the measure would notice
 
 
 def test_the_measure_notices_a_print_that_is_off_by_millimetres(models):
