@@ -9,19 +9,33 @@ import shapely
 from shapely.geometry import box as rectangle
 
 from popsim.geometry.flat import move_shape
-from popsim.layout import Crease, Layout, draw_sheets, lay_out
+from popsim.layout import Crease, Layout, LayoutSettings, draw_sheets, lay_out
 from popsim.layout.sheet import Line, Role, Text
+from popsim.stock import parse_stock
 from popsim.verification.random_designs import random_design
 
-SEEDS = range(4)
+CASES = [
+    *((seed, (1, 4), "A4", LayoutSettings()) for seed in range(6)),
+    *((seed, (1, 4), "Letter", LayoutSettings(grain=True)) for seed in range(8, 11)),
+    *((seed, (1, 3), "200x180mm", LayoutSettings(margin=5, seam_depth=8)) for seed in range(11, 14)),
+    *((seed, (1, 4), "A4", LayoutSettings(stock=parse_stock("200gsm"), gap=4)) for seed in range(14, 17)),
+    *((seed, (6, 9), "A3", LayoutSettings(flap_depth=8, bleed=2)) for seed in range(17, 19)),
+    (19, (2, 4), "Letter", LayoutSettings(registration="silhouette")),
+    (20, (2, 4), "A4", LayoutSettings(registration="cricut")),
+]
+"""Seed, least and greatest number of mechanisms, paper and settings; on the small sheets patches are divided."""
 
 ROUNDING = 0.02
 """mm^2; areas of cut-offs by snapping to the grid."""
 
+UNSEEN = 0.01
+"""mm; creases end where hinges do, beyond outlines by less."""
 
-@pytest.fixture(scope="module", params=SEEDS)
+
+@pytest.fixture(scope="module", params=CASES, ids=lambda case: f"{case[0]}-{case[2]}")
 def layout(request: pytest.FixtureRequest) -> Layout:
-    return lay_out(random_design(request.param, mechanisms=(1, 4)).design)
+    seed, mechanisms, paper, settings = request.param
+    return lay_out(random_design(seed, mechanisms=mechanisms).design, paper=paper, settings=settings)
 
 
 def test_every_part_is_in_one_piece(layout: Layout) -> None:
@@ -56,7 +70,7 @@ def test_parts_and_flaps_of_a_piece_do_not_overlap(layout: Layout) -> None:
         for one, other in combinations(shapes, 2):
             assert one.intersection(other).area < ROUNDING
         assert piece.outline.area == pytest.approx(
-            sum(shape.area for shape in shapes), abs=0.1 + 0.02 * len(shapes)
+            sum(shape.area for shape in shapes), abs=0.1 + 0.05 * len(shapes)
         )
         assert piece.outline.is_valid
 
@@ -115,8 +129,9 @@ def test_all_marks_lie_on_the_paper(layout: Layout) -> None:
     for sheet in draw_sheets(layout, footer="x" * 400, banner="NOT VERIFIED: " + "x" * 80):
         for mark in sheet.marks:
             if isinstance(mark, Line):
-                assert mark.points.min() >= layout.settings.margin - 1e-6
-                assert (mark.points <= (sheet.width, sheet.height) - np.array(layout.settings.margin - 1e-6)).all()
+                assert mark.points.min() >= layout.settings.margin - UNSEEN
+                beyond = mark.points - (sheet.width, sheet.height) + layout.settings.margin
+                assert beyond.max() <= UNSEEN
 
 
 def test_no_line_is_drawn_twice(layout: Layout) -> None:
