@@ -15,6 +15,7 @@ from popsim.cli.options import (
     Style,
     TwoSided,
     chosen_formats,
+    printed_words,
 )
 
 if TYPE_CHECKING:
@@ -198,6 +199,12 @@ def _command(model: Path, settings: "RunSettings", wishes: Path | None) -> str:
         words.append(f"--reverse '{settings.patches.reverse}'")
     paper = " ".join([settings.paper, *([settings.layout.stock.name] if settings.layout.stock else [])])
     words += [f"--paper '{paper}'", f"--dpi {settings.patches.dpi:g}", f"--seed {settings.seed}"]
+    words += printed_words(
+        settings.style,
+        two_sided=settings.two_sided,
+        grain=settings.layout.grain,
+        registration=settings.layout.registration,
+    )
     return " ".join(words)
 
 

@@ -5,7 +5,7 @@ from typing import Annotated
 
 import typer
 
-from popsim.cli.options import Grain, Paper, Registration, Style, TwoSided
+from popsim.cli.options import Grain, Paper, Registration, Style, TwoSided, printed_words
 
 
 def export(
@@ -14,7 +14,10 @@ def export(
         Path | None,
         typer.Option("--output", "-o", metavar="FILE", help="By default DESIGN's name and the format."),
     ] = None,
-    format: Annotated[str, typer.Option(help="pdf, svg, dxf, fold: sheets. glb, obj, stl: the pop-up.")] = "pdf",
+    format: Annotated[
+        str | None,
+        typer.Option(help="pdf, svg, dxf, fold: sheets. glb, obj, stl: the pop-up. By default FILE's, or pdf."),
+    ] = None,
     angle: Annotated[
         float | None, typer.Option(help="Fold angle of the pop-up, degrees; GLB moves if none is given.")
     ] = None,
@@ -31,21 +34,21 @@ def export(
     """
     from popsim import __version__
     from popsim.design import load_design
-    from popsim.errors import InputError
     from popsim.export import FORMATS, Printing
     from popsim.export.solid import SOLIDS, export_solid
     from popsim.layout import LayoutSettings
     from popsim.pipeline.planned import export_sheets
     from popsim.stock import split_stock
 
-    if format not in FORMATS and format not in SOLIDS:
-        raise InputError(f"format {format!r} is not known; give {', '.join([*FORMATS, *SOLIDS])}")
+    format = _format(format, output, (*FORMATS, *SOLIDS))
     design = load_design(path)
     target = output or path.with_suffix(f".{format}")
     if format in SOLIDS:
         made = export_solid(design, target, format, textures=path.parent, angle=angle, force=force)
     else:
         stock, sheet = split_stock(paper)
+        words = ["popsim export", path.name, f"--format {format}", f"--paper '{paper}'"]
+        words += printed_words(style, two_sided=two_sided, grain=grain, registration=registration)
         settings = LayoutSettings(grain=grain, registration=registration, stock=stock)
         made = export_sheets(
             design,
@@ -57,8 +60,21 @@ def export(
             printing=Printing(
                 style,
                 two_sided,
-                f"popsim {__version__} · popsim export {path.name} --format {format} --paper '{paper}'",
+                f"popsim {__version__} · {' '.join(words)}",
             ),
             force=force,
         )
     typer.echo("\n".join(str(file) for file in made))
+
+
+def _format(name: str | None, output: Path | None, known: tuple[str, ...]) -> str:
+    """The format that is asked for by its name or by the file's; they must agree."""
+    from popsim.errors import InputError
+
+    suffix = "" if output is None else output.suffix.removeprefix(".").lower()
+    chosen = name or suffix or "pdf"
+    if chosen not in known:
+        raise InputError(f"format {chosen!r} is not known; give {', '.join(known)}")
+    if suffix in known and suffix != chosen:
+        raise InputError(f"{output} is named as {suffix}, but the format is {chosen}; give one of the two")
+    return chosen

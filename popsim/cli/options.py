@@ -19,6 +19,18 @@ Registration = Annotated[
 ForceFolder = Annotated[bool, typer.Option("--force", help="Write into a folder that is not empty.")]
 
 
+USUAL_STYLE, UNMARKED = "origami", "none"
+"""Line style and registration marks where nothing is said."""
+
+
 def chosen_formats(stated: list[str] | None) -> tuple[str, ...]:
     """The formats of sheets, each once; PDF and SVG where none is stated."""
     return tuple(dict.fromkeys(stated or ("pdf", "svg")))
+
+
+def printed_words(style: str, *, two_sided: bool, grain: bool, registration: str) -> list[str]:
+    """What was chosen of these options other than the usual, as words of a command."""
+    chosen = {"--two-sided": two_sided, "--grain": grain}
+    words = [] if style == USUAL_STYLE else [f"--style {style}"]
+    words += [name for name, on in chosen.items() if on]
+    return words if registration == UNMARKED else [*words, f"--registration {registration}"]

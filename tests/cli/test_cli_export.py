@@ -1,6 +1,7 @@
 """A design in one more format, from the command line."""
 
 from pathlib import Path
+from xml.etree import ElementTree
 
 import pytest
 import trimesh
@@ -39,6 +40,21 @@ def test_sheets_and_solids_of_a_design(popsim, design: Path, tmp_path: Path) -> 
     assert bounds[1, 2] == pytest.approx(90 * 0.5**0.5, abs=0.01)
     assert popsim("export", design, "--format", "glb").returncode == 2  # it exists
     assert popsim("export", design, "--format", "glb", "--force").returncode == 0
+
+
+def test_the_format_is_that_of_the_file_to_be_written(popsim, design: Path, tmp_path: Path) -> None:
+    done = popsim("export", design, "-o", "sheet.svg")
+    assert done.returncode == 0, done.stderr
+    assert (tmp_path / "sheet-1.svg").read_text().startswith("<?xml")
+    done = popsim("export", design, "-o", "sheet.dxf", "--format", "svg")
+    assert done.returncode == 2 and "named as dxf" in done.stderr
+
+
+def test_the_sheet_says_with_which_options_it_was_made(popsim, design: Path, tmp_path: Path) -> None:
+    options = ("--style", "mono", "--two-sided", "--grain", "--registration", "silhouette")
+    assert popsim("export", design, "-o", "s.svg", *options).returncode == 0
+    text = " ".join(ElementTree.parse(tmp_path / "s-1.svg").getroot().itertext())
+    assert set(options) <= set(text.split())
 
 
 def test_unknown_formats_are_refused_with_the_known(popsim, design: Path) -> None:
