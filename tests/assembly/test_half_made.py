@@ -13,13 +13,17 @@ from popsim.assembly.evidence import PLAY, Folded
 from popsim.assembly.folding import Folding
 from popsim.assembly.kit import Kit
 from popsim.assembly.unmaking import find_order
-from popsim.design import Card, Design, Hinge
+from popsim.design import Card, Design, Hinge, Patch
+from popsim.geometry.arrays import FloatArray
+from popsim.geometry.rigid import turns_about
 from popsim.layout import lay_out
 from popsim.mechanisms import assemble, card_pair
 from popsim.mechanisms.box_fold import BoxFold
 from popsim.simulation import fold_design
 from popsim.simulation.partial import Crossings, Structure, fold_partial
 from popsim.simulation.partial.hands import led_joints
+from popsim.simulation.partial.rig import PartialRig
+from popsim.simulation.turning import free_turns
 from popsim.verification.random_designs import random_design
 
 CARD = Card(x=(-80, 80), depth=120)
@@ -105,22 +109,101 @@ def test_a_box_of_wrong_measures_folds_until_its_loop_is_closed() -> None:
     assert plan.ease.unproved == sum(len(step.joints) for step in plan.unproved)
 
 
+SQUARE = ("G", "M1.L", "M1.T_G", "M1.C")
+"""Half of a box that is as deep as it is high: closed, the top of its backbone meets the foot of its side."""
+
+
+def test_of_the_ways_that_part_where_all_is_flat_the_flat_one_is_taken() -> None:
+    """There top and side turn about one line, however the backbone is led: pressed, they lie down again."""
+    design = assemble(CARD, [BoxFold.plain("M1", card_pair(CARD), 30, 30, (-30, 30))])
+    sweep = fold_design(design, 45).sweep
+    names = {hinge.id for hinge in design.hinges if set(hinge.patches) <= set(SQUARE)}
+    rig = PartialRig(Structure.of(design, frozenset(), "G").only(SQUARE, names, "G"))
+    place = [sweep.index[patch.id] for patch in rig.structure.design.patches]
+    closed = sweep.poses[sweep.closed][place]
+    flat = rig.angles(closed[None])[0]
+    parts = [set(joint.hinge.patches) for joint in rig.turning]
+    side, back = (parts.index({"G", name}) for name in ("M1.L", "M1.C"))
+    rig.put(closed[0])
+    rig.hold(np.array([back]))
+
+    def height() -> float:
+        points = [
+            (pose[:3, :3] @ patch.points.T).T + pose[:3, 3]
+            for pose, patch in zip(rig.poses(), patches_of(rig), strict=True)
+        ]
+        return float(np.abs(np.concatenate(points)[:, 1]).max())
+
+    for turn in (np.radians(8.0), -np.radians(8.0)):
+        astray = flat.copy()
+        astray[side] += turn
+        rig.start(astray)
+        rig.polish(flat)
+        assert height() > 3.0, "closed loops alone do not tell which way to go on"
+        rig.flatten(flat)
+        rig.polish(flat)
+        assert height() < 0.01
+
+
+def patches_of(rig: PartialRig) -> tuple[Patch, ...]:
+    return rig.structure.design.patches
+
+
+def turned_over(axis: FloatArray, degrees: FloatArray) -> FloatArray:
+    """Turns about a line (2, 3), shape (n, 4, 4)."""
+    along = (axis[1] - axis[0]) / np.linalg.norm(axis[1] - axis[0])
+    return turns_about(along, axis[0], np.radians(degrees))
+
+
 def test_plates_that_run_through_each_other_are_found() -> None:
     """Negative control: the backbone, turned through the side of the box."""
     reference, design = kit().reference, box()
     sweep = fold_design(design, 45).sweep
     crossings = Crossings(design)
-    assert crossings.deepest(sweep)[0] < 0.05
+    assert crossings.deepest(sweep, [])[0] < 0.05
     poses = sweep.poses.copy()
     poses[:, sweep.index["M1.C"], 1, 3] += 25.0
     poses[:, sweep.index["M1.C"], :3, :3] = poses[:, sweep.index["M1.L"], :3, :3]
     turn = np.radians(40.0)
     tilt = np.array([[1, 0, 0], [0, np.cos(turn), -np.sin(turn)], [0, np.sin(turn), np.cos(turn)]])
     poses[:, sweep.index["M1.C"], :3, :3] = tilt @ poses[:, sweep.index["M1.C"], :3, :3]
-    depth, pair = crossings.deepest(type(sweep)(design, sweep.theta, poses, sweep.states, complete=True))
+    depth, pair = crossings.deepest(type(sweep)(design, sweep.theta, poses, sweep.states, complete=True), [])
     assert depth > 1.0
     assert "M1.C" in pair
     assert reference.folds_flat
+
+
+def test_parts_that_will_meet_on_a_line_cross_where_they_are_off_it() -> None:
+    """Negative control: the foot of a side that is not glued yet, pushed 5 mm through the page."""
+    sweep = fold_design(box(), 45).sweep
+    unglued = tuple(hinge for hinge in box().hinges if set(hinge.patches) != {"G", "M1.L"})
+    half = Design(card=CARD, patches=box().patches, hinges=unglued)
+    poses = sweep.poses.copy()
+    assert Crossings(box()).deepest(type(sweep)(half, sweep.theta, poses, sweep.states, complete=True), []) == (
+        0,
+        (),
+    )
+    poses[:, sweep.index["M1.L"], :3, 3] -= 5.0 * sweep.poses[:, sweep.index["G"], :3, 2]
+    off = type(sweep)(half, sweep.theta, poses, sweep.states, complete=True)
+    depth, pair = Crossings(box()).deepest(off, [])
+    assert depth > 4.0
+    assert set(pair) == {"G", "M1.L"}
+
+
+def test_parts_that_turn_through_each_other_about_their_line_are_found() -> None:
+    """Negative control: a side that is turned on through the page on which it stands, in one leap."""
+    sweep, design = fold_design(box(), 45).sweep, box()
+    foot = next(hinge for hinge in design.hinges if set(hinge.patches) == {"G", "M1.L"})
+    names = ("G", "M1.L")
+    kept = Design(card=CARD, patches=tuple(p for p in design.patches if p.id in names), hinges=(foot,))
+    turns = list(free_turns(kept, [foot]).values())
+    for degrees, passes in ((80.0, False), (-80.0, False), (150.0, True), (-150.0, True)):
+        swung = turned_over(foot.points, np.array([0.0, degrees / 2, degrees, degrees]))
+        poses = np.stack([np.broadcast_to(np.eye(4), swung.shape), swung], axis=1)
+        moved = type(sweep)(kept, np.radians([150.0, 90.0, 30.0, 0.0]), poses, np.zeros((4, 0)), complete=True)
+        depth, pair = Crossings(kept).deepest(moved, turns)
+        assert (depth > 1.0) == passes
+        assert set(pair) == (set(names) if passes else set())
 
 
 @given(st.integers(1, 6), st.integers(0, 8), st.integers(0, 3), st.booleans())

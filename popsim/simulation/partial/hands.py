@@ -1,11 +1,8 @@
 """Which hinges are led by hand: one for each free motion."""
 
-from typing import Any
-
 import numpy as np
 
 from popsim.geometry.arrays import FloatArray, IntArray
-from popsim.simulation.engine import load_mujoco
 
 FREE = 1e-5
 """mm of gap per mm of motion below which a motion counts as free, as for the stability of a whole design."""
@@ -36,18 +33,3 @@ def led_joints(matrix: FloatArray, fold: int | None) -> IntArray:
     if fold is None:
         return np.sort(order[min(rank, count - 1) :])
     return np.sort(np.append(others[order[rank:]], fold))
-
-
-def loop_matrix(model: Any, data: Any, joined: IntArray, places: FloatArray) -> FloatArray:
-    """How gaps answer to the joints, per rad, in units of the model, shape (3 e, v).
-
-    `model` and `data` are MuJoCo's own, with bodies placed; `joined` (e, 2) are the bodies that should meet with
-    their `places` in the world (e, 2, 3).
-    """
-    mujoco = load_mujoco()
-    mujoco.mj_comPos(model, data)
-    rows = np.zeros((len(joined), 2, 3, model.nv))
-    for row, bodies, spots in zip(rows, joined.tolist(), places, strict=True):
-        for side, body, spot in zip(row, bodies, spots, strict=True):
-            mujoco.mj_jac(model, data, side, None, spot, body)
-    return np.asarray((rows[:, 0] - rows[:, 1]).reshape(3 * len(joined), model.nv))

@@ -1,37 +1,26 @@
 """A partial structure in MuJoCo: a tree of hinges on a part that is held, equalities for loops and hands."""
 
-from html import escape
 from typing import Any
 
 import numpy as np
 
 from popsim.design import Hinge
-from popsim.geometry.arrays import FloatArray, IntArray
+from popsim.geometry.arrays import BoolArray, FloatArray, IntArray
 from popsim.geometry.plane import line_distance
 from popsim.simulation.engine import load_mujoco
 from popsim.simulation.forest import TreeJoint, spanning_forest
-from popsim.simulation.mjcf import Recipe, body_tree, loops, mass_and_joint, options, size_of
-from popsim.simulation.partial.hands import led_joints, loop_matrix
+from popsim.simulation.mjcf import size_of
+from popsim.simulation.partial.hands import led_joints
+from popsim.simulation.partial.model import hand_on, partial_xml
+from popsim.simulation.partial.polishing import polished
+from popsim.simulation.partial.slopes import Slopes
 from popsim.simulation.partial.structure import Structure
-from popsim.simulation.pressing import pressing_wrenches
 from popsim.simulation.rig import poses_of
-from popsim.simulation.solver import BRISK, TIMESTEP
+from popsim.simulation.solver import TIMESTEP
 from popsim.simulation.turning import turnings
 
-POLISHES = 40
-"""Steps of Newton's method at most."""
-
-BOLDER, MORE_CAREFUL = 0.1, 20.0
-"""Factors on the damping after a step that made gaps smaller, and after one that did not and is undone."""
-
-FLOOR = 1e-13
-"""Least damping: above rounding."""
-
-DONE = 1e-9
-"""Gap over the size of the structure that needs no more."""
-
-FIXED = '<inertial pos="0 0 0" mass="1" diaginertia="1 1 1"/>'
-"""A part that is one with its parent: how heavy it is does not matter."""
+WEAK = 0.01
+"""What a height over the plane counts beside a gap while all is pressed flat: closed loops come first."""
 
 
 class PartialRig:
@@ -54,20 +43,24 @@ class PartialRig:
         self.forest = spanning_forest(design, structure.seams, (structure.root,))
         self.turning = [joint for joint in self.forest.joints if joint.hinge.id not in structure.seams]
         self._scale = size_of(design)
-        self._model: Any = mujoco.MjModel.from_xml_string(self._xml())
+        self._model: Any = mujoco.MjModel.from_xml_string(
+            partial_xml(structure, self.forest, self.turning, self._scale)
+        )
         self._data: Any = mujoco.MjData(self._model)
         self._step, self._place, self._turn = mujoco.mj_step, mujoco.mj_kinematics, mujoco.mju_mat2Quat
-        self._normals = np.array([patch.plane.normal for patch in design.patches])
         self._bodies = np.array([self._model.body(patch.id).id for patch in design.patches])
         self._order = np.array([self._model.joint(j.hinge.id).qposadr[0] for j in self.turning], dtype=np.int64)
-        self._hands = np.array([self._model.equality(_hand(j)).id for j in self.turning], dtype=np.int64)
+        self._hands = np.array([self._model.equality(hand_on(j)).id for j in self.turning], dtype=np.int64)
         self._columns = np.array([self._model.joint(j.hinge.id).dofadr[0] for j in self.turning], dtype=np.int64)
         self._reaches = np.array([self._reach(joint) for joint in self.turning]) / self._scale
-        corners = [(hinge, corner) for hinge in self.forest.loops for corner in self._corners(hinge)]
+        corners = [(hinge, corner) for hinge in self.forest.loops for corner in self._meeting(hinge)]
         self._joined = np.array(
             [[self._model.body(name).id for name in hinge.patches] for hinge, _ in corners], dtype=np.int64
         ).reshape(-1, 2)
         self._ends = np.array([corner for _, corner in corners]).reshape(-1, 3) / self._scale
+        self._slopes_of = Slopes(self._model)
+        self._cornered = np.repeat(self._bodies, 3)
+        self._corners_of = np.concatenate([_spread(patch.points) for patch in design.patches]) / self._scale
         self._senses = np.array([self._sense(joint) for joint in self.turning])
 
     def angles(self, poses: FloatArray) -> FloatArray:
@@ -107,46 +100,50 @@ class PartialRig:
                 break
 
     def polish(self, angles: FloatArray) -> None:
-        """Take off what the steps have left of loop gaps and of what hands lead to `angles` (j,).
+        """Take off what the steps have left of loop gaps and of what hands lead to `angles` (j,)."""
+        polished(self.now, lambda now: self._error(now, angles), self._slopes)
 
-        Newton's method with damping, on the gaps and their Jacobian as MuJoCo has them: near flat poses steps of
-        the integration close ever less of them. What does not become smaller is undone.
+    def flatten(self, angles: FloatArray) -> None:
+        """The same with all parts pressed into the plane y = 0, so weakly that no loop opens for it.
+
+        Flat poses are where ways part: what is led is led along all of them, and a loop may be closed with its
+        other parts anywhere about one line. A hand on the pile decides.
         """
-        damping, best = 1.0, self._error(angles)
-        for _ in range(POLISHES):
-            if np.abs(best).max(initial=0.0) < DONE:
-                break
-            before, matrix = np.array(self._data.qpos), self._slopes()
-            normal = matrix.T @ matrix + (damping * np.linalg.norm(best) + FLOOR) * np.eye(matrix.shape[1])
-            self._data.qpos[self._order] -= np.linalg.solve(normal, matrix.T @ best)
-            self._place(self._model, self._data)
-            now = self._error(angles)
-            if np.abs(now).max() < np.abs(best).max():
-                damping, best = damping * BOLDER, now
-            else:
-                self._data.qpos[:] = before
-                self._place(self._model, self._data)
-                damping *= MORE_CAREFUL
+        polished(
+            self.now,
+            lambda now: np.concatenate([self._error(now, angles), WEAK * self._corner_places[:, 1]]),
+            lambda: np.concatenate([self._slopes(), WEAK * self._corner_slopes()]),
+        )
 
-    def _error(self, angles: FloatArray) -> FloatArray:
-        """Gaps and what hands are off their angles (j,), in units of the model, shape (3 e + f,)."""
-        held = self._data.eq_active[self._hands] > 0
-        off = (self._data.qpos[self._order] - angles) * self._reaches
-        gaps = [one - other for one, other in self._loop_ends()]
-        return np.concatenate([np.ravel(gaps), off[held]])
+    @property
+    def now(self) -> FloatArray:
+        """Of all joints that turn, rad, shape (j,)."""
+        return np.array(self._data.qpos[self._order])
+
+    def _error(self, now: FloatArray, angles: FloatArray) -> FloatArray:
+        """Gaps and what hands are off `angles` (j,) with joints at `now`, in units of the model, (3 e + f,)."""
+        self.start(now)
+        ends = self._loop_ends()
+        return np.concatenate([np.ravel(ends[:, 0] - ends[:, 1]), ((now - angles) * self._reaches)[self._held]])
 
     def _slopes(self) -> FloatArray:
         """How :meth:`_error` answers to the joints, per rad, shape (3 e + f, j)."""
-        held = self._data.eq_active[self._hands] > 0
-        return np.concatenate([self._loop_matrix(), np.diag(self._reaches)[held]])
+        return np.concatenate([self._loop_matrix(), np.diag(self._reaches)[self._held]])
 
-    def press(self, count: int) -> None:
-        """Steps from rest in which all parts are pushed into the plane y = 0 where they are."""
-        for _ in range(count):
-            wrenches = pressing_wrenches(self._model, self._data, self._bodies, self._normals)
-            self._data.xfrc_applied[self._bodies] = wrenches
-            self._settle()
-        self._data.xfrc_applied[:] = 0
+    @property
+    def _held(self) -> BoolArray:
+        """Which joints hands lead, shape (j,)."""
+        return np.asarray(self._data.eq_active[self._hands] > 0)
+
+    @property
+    def _corner_places(self) -> FloatArray:
+        """Three corners of each part now, units of the model, shape (3 p, 3)."""
+        turns = self._data.xmat[self._cornered].reshape(-1, 3, 3)
+        return np.asarray((turns @ self._corners_of[:, :, None])[..., 0] + self._data.xpos[self._cornered])
+
+    def _corner_slopes(self) -> FloatArray:
+        """How their heights answer to the joints, per rad, shape (3 p, j)."""
+        return self._slopes_of.of(self._data, self._cornered, self._corner_places)[:, 1, self._columns]
 
     def _settle(self) -> None:
         self._data.qvel[:] = 0
@@ -162,32 +159,6 @@ class PartialRig:
         self._place(self._model, self._data)
         return poses_of(self._data, self._bodies, self._scale)
 
-    def _xml(self) -> str:
-        structure, recipe = self.structure, Recipe(self._scale, BRISK.damping, BRISK.impedance)
-
-        def content(joint: TreeJoint) -> str:
-            if joint.hinge.id in structure.seams:
-                return FIXED
-            return mass_and_joint(structure.design, joint, structure.turns, recipe)
-
-        bodies = body_tree(
-            f'<body name="{escape(structure.root)}" mocap="true">', structure.root, self.forest, content
-        )
-        hands = "".join(
-            f'<joint name="{_hand(joint)}" joint1="{escape(joint.hinge.id)}" active="false"/>'
-            for joint in self.turning
-        )
-        stiff = "".join(
-            f'<weld body1="{escape(hinge.patches[0])}" body2="{escape(hinge.patches[1])}"/>'
-            for hinge in self.forest.loops
-            if hinge.id in structure.seams
-        )
-        return (
-            '<mujoco model="partial"><compiler angle="radian"/>'
-            f"{options(recipe, 'autoreset contact')}<worldbody>{bodies}</worldbody>"
-            f"<equality>{loops(self.forest, recipe)}{stiff}{hands}</equality></mujoco>"
-        )
-
     def _loop_ends(self) -> FloatArray:
         """Where either side of each loop has its ends now, units of the model, shape (e, 2, 3)."""
         turns = self._data.xmat[self._joined].reshape(-1, 2, 3, 3)
@@ -195,9 +166,12 @@ class PartialRig:
 
     def _loop_matrix(self) -> FloatArray:
         """How gaps at the ends of loops answer to the joints, per rad, shape (3 e, j)."""
-        return loop_matrix(self._model, self._data, self._joined, self._loop_ends())[:, self._columns]
+        one, other = (
+            self._slopes_of.of(self._data, self._joined[:, side], self._loop_ends()[:, side]) for side in (0, 1)
+        )
+        return np.asarray((one - other).reshape(3 * len(self._joined), self._model.nv)[:, self._columns])
 
-    def _corners(self, hinge: Hinge) -> FloatArray:
+    def _meeting(self, hinge: Hinge) -> FloatArray:
         """Places of the open pose at which the two sides of a loop meet, shape (2, 3), or (3, 3) of a seam."""
         if hinge.id not in self.structure.seams:
             return hinge.points
@@ -215,5 +189,8 @@ class PartialRig:
         return float(line_distance(points, joint.hinge.points).max())
 
 
-def _hand(joint: TreeJoint) -> str:
-    return escape(f"hand on {joint.hinge.id}")
+def _spread(points: FloatArray) -> FloatArray:
+    """Three of some corners (n, 3), far from each other: where these are flat, all are, shape (3, 3)."""
+    first = points[np.linalg.norm(points - points[0], axis=1).argmax()]
+    second = points[np.linalg.norm(points - first, axis=1).argmax()]
+    return np.stack([first, second, points[line_distance(points, np.stack([first, second])).argmax()]])

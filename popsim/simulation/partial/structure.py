@@ -42,4 +42,5 @@ class Structure:
             patches=tuple(patch for patch in whole.patches if patch.id in parts),
             hinges=tuple(hinge for hinge in whole.hinges if hinge.id in hinges),
         )
-        return replace(self, design=kept, root=root)
+        turns = {hinge.id: self.turns[hinge.id] for hinge in kept.hinges if hinge.id in self.turns}
+        return replace(self, design=kept, turns=turns, root=root)
