@@ -7,8 +7,7 @@ from typing import NamedTuple
 from popsim.assembly.bundle import Bundle
 from popsim.assembly.cut import Cut
 from popsim.assembly.proof import Proof
-from popsim.assembly.stack import Stack
-from popsim.assembly.trial import Trial
+from popsim.assembly.trial import Trial, Trials
 
 STATES = 40
 """States that are looked at before the search is given up."""
@@ -33,13 +32,17 @@ class _Swing(NamedTuple):
     opened: Opened
 
 
-def swung_aside(bundle: Bundle, stack: Stack, number: int, wanted: Callable[[Iterable[Cut]], list[Cut]]) -> Chain:
+def swung_aside(
+    bundle: Bundle, trials: Trials, number: int, wanted: Callable[[Iterable[Cut]], list[Cut]]
+) -> Chain:
     """With all folded up again: the fewest things swung aside so that something can be undone lying.
 
     Parameters
     ----------
     bundle:
         What is taken apart.
+    trials:
+        Those that were made of it in this step.
     number:
         Of the first sheet that is swung aside.
     wanted:
@@ -52,12 +55,12 @@ def swung_aside(bundle: Bundle, stack: Stack, number: int, wanted: Callable[[Ite
     """
     seen: set[Opened] = set()
     waiting: deque[_Swing] = deque()
-    now: Bundle = bundle.folded()
+    now: Bundle = bundle.folded
     path: Chain = ()
     opened: Opened = frozenset()
     while True:
         seen.add(opened)
-        trial = Trial(now, stack, number + len(path))
+        trial = trials.of(now, number + len(path))
         for cut in wanted(trial.cuts):
             if isinstance(proof := trial.cut(cut), Proof):
                 return (*path, proof)

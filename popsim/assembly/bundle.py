@@ -126,7 +126,10 @@ class Bundle:
         """The same at other poses."""
         return replace(self, poses=poses)
 
+    @cached_property
     def folded(self) -> "Bundle":
-        """The same folded flat, as it is in the finished pop-up."""
+        """The same folded flat, as it is in the finished pop-up; itself where it lies so."""
         flat = self.kit.reference.flat
+        if not any(self.sheets.values()) and all(pose is flat[name] for name, pose in self.poses.items()):
+            return self
         return replace(self, poses={name: flat[name] for name in self.poses}, sheets=dict.fromkeys(self.poses, ()))

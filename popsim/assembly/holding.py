@@ -102,7 +102,7 @@ class Holding:
 
     def tucked(self, stack: Stack) -> Proof | Refusal:
         """The flap is slid to its place between layers of what lies folded, from beyond its own crease."""
-        folded = self.bundle.folded()
+        folded = self.bundle.folded
         for flap in self._glueing.flaps:
             covers = stack.covers[flap_key(flap)] & folded.parts
             line = folded.axis(folded.joints[self.name])

@@ -10,6 +10,7 @@ from popsim.assembly.outline import Outline
 from popsim.assembly.reference import Reference
 from popsim.assembly.roll import Roll
 from popsim.assembly.scene import FlapKey
+from popsim.assembly.swings import Swings
 from popsim.design import GROUND_ID
 from popsim.geometry.arrays import FloatArray
 from popsim.geometry.plane import line_distance
@@ -44,6 +45,11 @@ class Kit:
     def outlines(self) -> dict[str, Outline]:
         """Outlines of all parts, by id."""
         return {name: Outline.of(part) for name, part in self.layout.parts.items()}
+
+    @cached_property
+    def swings(self) -> Swings:
+        """What runs into what on the way, as far as was asked."""
+        return Swings(self.outlines)
 
     @cached_property
     def roll(self) -> Roll:

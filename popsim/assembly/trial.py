@@ -117,8 +117,7 @@ class Trial:
             name: turns @ pose if name in moved else np.broadcast_to(pose, turns.shape)
             for name, pose in self.bundle.poses.items()
         }
-        rest = self.bundle.parts - moved
-        return turns, motion, Passage(self.kit.outlines, motion).collisions(sorted(moved), sorted(rest))
+        return turns, motion, self.kit.swings.collisions(moved, turns, self.bundle.poses)
 
     def _apart(self, moved: frozenset[str], taken: tuple[str, ...], direction: FloatArray, way: Way) -> Proof:
         """The proof that two bundles come together along a straight line; the lighter one is moved in pictures."""
@@ -164,6 +163,20 @@ class Trial:
 
     def _glueing(self, taken: tuple[str, ...]) -> Glueing:
         return Glueing(self.kit, taken)
+
+
+class Trials:
+    """The trials of one step, each made once: what can be done at once is asked from several sides."""
+
+    def __init__(self, stack: Stack) -> None:
+        self._stack = stack
+        self._made: dict[tuple[Bundle, int], Trial] = {}
+
+    def of(self, bundle: Bundle, number: int) -> Trial:
+        """The trial of a bundle; `number` is that of what is swung aside next."""
+        if (bundle, number) not in self._made:
+            self._made[bundle, number] = Trial(bundle, self._stack, number)
+        return self._made[bundle, number]
 
 
 def _others(hit: list[Pair]) -> tuple[str, ...]:

@@ -17,7 +17,7 @@ from popsim.assembly.holding import Holding
 from popsim.assembly.kit import Kit
 from popsim.assembly.proof import Proof, Refusal
 from popsim.assembly.stack import Stack
-from popsim.assembly.trial import Trial
+from popsim.assembly.trial import Trial, Trials
 
 
 @dataclass(frozen=True, eq=False)
@@ -71,7 +71,7 @@ def check_order(kit: Kit, order: Sequence[tuple[str, ...]]) -> Refusal | None:
 def _undoing(bundle: Bundle, stack: Stack, names: tuple[str, ...], number: int) -> Proof | Refusal:
     """How just these joints are undone, as things lie or folded up again; or the last reason against it."""
     refusal = Refusal(names, "it lies under other paper")
-    for now in (bundle, bundle.folded()):
+    for now in (bundle, bundle.folded):
         trial = Trial(now, stack, number)
         ways = [trial.cut(cut) for cut in trial.cuts if set(cut.taken) == set(names)]
         if len(names) == 1:
@@ -94,6 +94,7 @@ class Unmaking:
         self.stuck: list[Bundle] = []
         self.refusals: dict[str, str] = {}
         self._begun: set[frozenset[str]] = set()
+        self._trials = Trials(self.stack)
 
     def step(self) -> bool:
         """Undo something; False where nothing is left to undo."""
@@ -102,6 +103,7 @@ class Unmaking:
         if not self.waiting:
             return False
         bundle = self.waiting.pop()
+        self._trials = Trials(self.stack)
         chain = self._undone(bundle)
         if chain:
             self.proofs += chain
@@ -130,7 +132,7 @@ class Unmaking:
 
     def _lying(self, bundle: Bundle) -> Iterator[Chain]:
         """What can be undone lying, the easiest first."""
-        trial = Trial(bundle, self.stack, len(self.proofs))
+        trial = self._trials.of(bundle, len(self.proofs))
         yield from self._proved(self._taken_off(trial))
         yield from self._proved(self._begun_anew(trial))
         yield from self._proved(self._guided(trial))
@@ -142,19 +144,19 @@ class Unmaking:
         nothing goes to and fro for ever.
         """
         if any(trial.bundle.sheets.values()):
-            trial = Trial(trial.bundle.folded(), self.stack, trial.number)
+            trial = self._trials.of(trial.bundle.folded, trial.number)
             yield from (trial.cut(cut) for cut in self._few(trial.cuts))
         joined = frozenset(trial.bundle.joints)
         for swing in trial.cuts if joined not in self._begun else ():
             if not swing.taken and isinstance(proof := trial.cut(swing), Proof):
-                after = Trial(proof.apart[0], self.stack, trial.number + 1)
+                after = self._trials.of(proof.apart[0], trial.number + 1)
                 if any(isinstance(after.cut(cut), Proof) for cut in self._few(after.cuts)):
                     self._begun.add(joined)
                     yield proof
 
     def _opened_up(self, bundle: Bundle) -> Iterator[Chain]:
         """What can be undone lying after several things were swung aside."""
-        chain = swung_aside(bundle, self.stack, len(self.proofs), self._few)
+        chain = swung_aside(bundle, self._trials, len(self.proofs), self._few)
         if chain:
             yield chain
 

@@ -14,7 +14,7 @@ from popsim.assembly.holding import Holding
 from popsim.assembly.kit import Kit
 from popsim.assembly.proof import Proof, Refusal
 from popsim.assembly.stack import Stack
-from popsim.assembly.trial import Trial
+from popsim.assembly.trial import Trial, Trials
 from popsim.assembly.unmaking import check_order, find_order
 from popsim.assembly.way import Way
 from popsim.design import Card
@@ -69,7 +69,7 @@ def test_no_glue_and_no_finger_gets_into_a_closed_box() -> None:
 def test_a_side_of_the_box_is_reached_from_outside() -> None:
     apart = [one for proof in find_order(box()).proofs for one in proof.apart]
     loose = next(one for one in reversed(apart) if "M1.L" in one.parts and "G" not in one.parts)
-    proof = Holding(loose.folded(), joint("M1.R", "M1.F_R")).closed()
+    proof = Holding(loose.folded, joint("M1.R", "M1.F_R")).closed()
     assert isinstance(proof, Proof)
     assert proof.way is Way.CLOSED
     assert proof.blind == ()
@@ -136,11 +136,11 @@ def test_several_things_are_swung_aside_only_if_something_comes_off_then() -> No
     whole = Bundle.whole(kit)
     own = whole.only({name for name in whole.parts if name.startswith("M1.")})
     loose = own.without(set(own.glued) - {late})
-    chain = swung_aside(loose, stack, 0, lambda found: [cut for cut in found if cut.taken])
+    chain = swung_aside(loose, Trials(stack), 0, lambda found: [cut for cut in found if cut.taken])
     assert len(chain) > 1
     assert not any(proof.joints for proof in chain[:-1])
     assert chain[-1].joints == (late,)
-    assert swung_aside(loose, stack, 0, lambda found: []) == ()
+    assert swung_aside(loose, Trials(stack), 0, lambda found: []) == ()
 
 
 def test_the_card_stays_and_its_other_page_is_folded_over() -> None:

@@ -35,7 +35,7 @@ def at_random(kit: Kit, rng: Random) -> tuple[Proof, ...]:
 
 
 def _undone(bundle: Bundle, stack: Stack, name: str, number: int) -> Proof | None:
-    trial, holding = Trial(bundle, stack, number), Holding(bundle.folded(), name)
+    trial, holding = Trial(bundle, stack, number), Holding(bundle.folded, name)
     lying = (trial.cut(cut) for cut in trial.cuts if cut.taken == (name,))
     held = (way() for way in (holding.closed, holding.pressed, holding.brought))
     return next((result for result in chain(lying, held) if isinstance(result, Proof)), None)
