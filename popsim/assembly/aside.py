@@ -1,7 +1,7 @@
 """Swinging things aside, one after another, until something comes off."""
 
 from collections import deque
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from typing import NamedTuple
 
 from popsim.assembly.bundle import Bundle
@@ -32,9 +32,7 @@ class _Swing(NamedTuple):
     opened: Opened
 
 
-def swung_aside(
-    bundle: Bundle, trials: Trials, number: int, wanted: Callable[[Iterable[Cut]], list[Cut]]
-) -> Chain:
+def swung_aside(bundle: Bundle, trials: Trials, number: int, wanted: Callable[[Trial], list[Cut]]) -> Chain:
     """With all folded up again: the fewest things swung aside so that something can be undone lying.
 
     Parameters
@@ -46,7 +44,7 @@ def swung_aside(
     number:
         Of the first sheet that is swung aside.
     wanted:
-        Of some cuts those that are worth a try, the best first.
+        Of the cuts of a trial those that are worth a try, the best first.
 
     Returns
     -------
@@ -61,7 +59,7 @@ def swung_aside(
     while True:
         seen.add(opened)
         trial = trials.of(now, number + len(path))
-        for cut in wanted(trial.cuts):
+        for cut in wanted(trial):
             if isinstance(proof := trial.cut(cut), Proof):
                 return (*path, proof)
         if len(seen) == STATES:

@@ -33,6 +33,10 @@ class Ease:
         Joints that are not seen while they come together.
     unproved:
         Joints for which no way was found.
+    turns:
+        How often what is in hand is turned over between two steps.
+    apart:
+        Pairs of joints that mirror each other but are not made in one step nor in neighbouring ones.
     minutes:
         For cutting, creasing and gluing.
     """
@@ -42,6 +46,8 @@ class Ease:
     standing: int
     blind: int
     unproved: int
+    turns: int
+    apart: int
     minutes: float
 
     def to_dict(self) -> Mapping[str, Any]:
@@ -52,17 +58,19 @@ class Ease:
             "standing": self.standing,
             "blind": self.blind,
             "unproved": self.unproved,
+            "turns": self.turns,
+            "mirrored_apart": self.apart,
             "minutes": round(self.minutes, 1),
         }
 
     def __str__(self) -> str:
         """One line."""
         told = f"{self.steps} steps, {self.joints} joints ({self.standing} standing, {self.blind} blind)"
-        return f"{told}, about {self.minutes:.0f} minutes"
+        return f"{told}, {self.turns} turns, about {self.minutes:.0f} minutes"
 
 
-def ease_of(layout: Layout, steps: Iterable[Step]) -> Ease:
-    """The ease of the steps of a layout."""
+def ease_of(layout: Layout, steps: Iterable[Step], *, turns: int, apart: int) -> Ease:
+    """The ease of the steps of a layout, with the turns of what is in hand and the mirrored joints apart."""
     listed = list(steps)
     glued = [(step, step.evidence) for step in listed if step.evidence is not None]
     joints = sum(len(step.joints) for step, _ in glued)
@@ -73,4 +81,4 @@ def ease_of(layout: Layout, steps: Iterable[Step]) -> Ease:
     creases = sum(len(piece.folds) for piece in layout.pieces)
     minutes = PER_METRE * cut + PER_CREASE * creases + PER_STEP * len(listed) + PER_JOINT * joints
     minutes += STANDING * (standing + unproved) + BLIND * blind
-    return Ease(len(listed), joints, standing, blind, unproved, minutes)
+    return Ease(len(listed), joints, standing, blind, unproved, turns, apart, minutes)

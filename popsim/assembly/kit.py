@@ -11,6 +11,7 @@ from popsim.assembly.reference import Reference
 from popsim.assembly.roll import Roll
 from popsim.assembly.scene import FlapKey
 from popsim.assembly.swings import Swings
+from popsim.assembly.twins import Twins, twins
 from popsim.design import GROUND_ID
 from popsim.geometry.arrays import FloatArray
 from popsim.geometry.plane import line_distance
@@ -45,6 +46,11 @@ class Kit:
     def outlines(self) -> dict[str, Outline]:
         """Outlines of all parts, by id."""
         return {name: Outline.of(part) for name, part in self.layout.parts.items()}
+
+    @cached_property
+    def twins(self) -> Twins:
+        """The mirror images of each glue joint, by its id."""
+        return twins(self.layout, self.ends)
 
     @cached_property
     def swings(self) -> Swings:

@@ -7,6 +7,7 @@ from typing import Any
 from popsim.assembly.at_once import glued_together
 from popsim.assembly.ease import Ease, ease_of
 from popsim.assembly.evidence import Evidence
+from popsim.assembly.faces import turns
 from popsim.assembly.folding import Folding
 from popsim.assembly.kind import StepKind
 from popsim.assembly.kit import Kit
@@ -14,6 +15,7 @@ from popsim.assembly.proof import Proof
 from popsim.assembly.scene import flap_key
 from popsim.assembly.step import Step
 from popsim.assembly.storyboard import finished, scenes
+from popsim.assembly.twins import apart
 from popsim.assembly.unmaking import Order, find_order
 from popsim.assembly.way import Way
 from popsim.assembly.wording import closing_text, cutting_text, folding_text, gluing_text, unproved_text, way_text
@@ -82,7 +84,9 @@ def plan_assembly(layout: Layout, sweep: Sweep) -> AssemblyPlan:
     for name in found.left:
         steps.doubt(name, found)
     steps.add(StepKind.FINISH, (), closing_text(), before=finished(kit))
-    return AssemblyPlan(tuple(steps.made), order, numbered, ease_of(layout, steps.made))
+    mirrored = apart(kit.twins, (proof.joints for proof in proofs if proof.joints))
+    ease = ease_of(layout, steps.made, turns=turns(kit, proofs), apart=mirrored)
+    return AssemblyPlan(tuple(steps.made), order, numbered, ease)
 
 
 class _Steps:

@@ -4,15 +4,22 @@ Every joint that is undone leaves more freedom, so what was undone is rarely reg
 Two things may be regretted nevertheless. What was swung aside may lie in the way later: then all is folded up
 again, and a search swings several things aside in other orders. And what the rest would have guided to its place
 may be left hanging on nothing else: then it is brought there by hand.
+
+Of what can be undone the least comes first, by these terms one after the other: what is held open, what is out of
+sight; its rank (:func:`popsim.assembly.cut.ranks`), so that sub-assemblies come first in the end and lie flat for
+long; whether it mirrors what was undone last, so that the same is done twice in a row; how many joints it undoes
+at once; whether all in hand must be turned over for it; at how few parts it is.
 """
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
+from functools import partial
 
 from popsim.assembly.aside import Chain, swung_aside
 from popsim.assembly.at_once import AT_ONCE
 from popsim.assembly.bundle import Bundle
 from popsim.assembly.cut import Cut, ranks
+from popsim.assembly.faces import Faces
 from popsim.assembly.holding import Holding
 from popsim.assembly.kit import Kit
 from popsim.assembly.proof import Proof, Refusal
@@ -50,40 +57,6 @@ def find_order(kit: Kit) -> Order:
     return unmaking.order()
 
 
-def check_order(kit: Kit, order: Sequence[tuple[str, ...]]) -> Refusal | None:
-    """Execute an order that somebody else has made; why it cannot be done, or None where it can.
-
-    Parameters
-    ----------
-    order:
-        Ids of the glue joints that are made in each step, from the first to the last.
-    """
-    stack, bundles = Stack(kit), [Bundle.whole(kit)]
-    for number, names in enumerate(reversed(order)):
-        bundle = next(one for one in bundles if names[0] in one.joints)
-        found = _undoing(bundle, stack, names, number)
-        if isinstance(found, Refusal):
-            return found
-        bundles = [one for one in bundles if one is not bundle] + list(found.apart)
-    return None
-
-
-def _undoing(bundle: Bundle, stack: Stack, names: tuple[str, ...], number: int) -> Proof | Refusal:
-    """How just these joints are undone, as things lie or folded up again; or the last reason against it."""
-    refusal = Refusal(names, "it lies under other paper")
-    for now in (bundle, bundle.folded):
-        trial = Trial(now, stack, number)
-        ways = [trial.cut(cut) for cut in trial.cuts if set(cut.taken) == set(names)]
-        if len(names) == 1:
-            holding = Holding(now, names[0])
-            ways += [holding.closed(), holding.brought(), holding.pressed(), holding.tucked(stack)]
-        for way in ways:
-            if isinstance(way, Proof):
-                return way
-            refusal = way
-    return refusal
-
-
 class Unmaking:
     """A pop-up that is being taken apart."""
 
@@ -93,6 +66,8 @@ class Unmaking:
         self.waiting = [Bundle.whole(kit)]
         self.stuck: list[Bundle] = []
         self.refusals: dict[str, str] = {}
+        self.faces = Faces(kit)
+        self._mirrored: frozenset[str] = frozenset()
         self._begun: set[frozenset[str]] = set()
         self._trials = Trials(self.stack)
 
@@ -102,15 +77,22 @@ class Unmaking:
             self.waiting.pop()
         if not self.waiting:
             return False
-        bundle = self.waiting.pop()
+        bundle = self.waiting.pop(self._next())
         self._trials = Trials(self.stack)
         chain = self._undone(bundle)
         if chain:
             self.proofs += chain
+            self.faces.note(chain[-1])
+            self._mirrored = frozenset(twin for name in chain[-1].joints for twin in self.kit.twins[name])
             self.waiting += chain[-1].apart
         else:
             self.stuck.append(bundle)
         return True
+
+    def _next(self) -> int:
+        """The place of the bundle to go on with: one with mirror images of what was undone, else the last."""
+        places = range(len(self.waiting) - 1, -1, -1)
+        return next((k for k in places if not self._mirrored.isdisjoint(self.waiting[k].joints)), places[0])
 
     def order(self) -> Order:
         """What was found, forwards."""
@@ -145,12 +127,12 @@ class Unmaking:
         """
         if any(trial.bundle.sheets.values()):
             trial = self._trials.of(trial.bundle.folded, trial.number)
-            yield from (trial.cut(cut) for cut in self._few(trial.cuts))
+            yield from (trial.cut(cut) for cut in self._few(trial))
         joined = frozenset(trial.bundle.joints)
         for swing in trial.cuts if joined not in self._begun else ():
             if not swing.taken and isinstance(proof := trial.cut(swing), Proof):
                 after = self._trials.of(proof.apart[0], trial.number + 1)
-                if any(isinstance(after.cut(cut), Proof) for cut in self._few(after.cuts)):
+                if any(isinstance(after.cut(cut), Proof) for cut in self._few(after)):
                     self._begun.add(joined)
                     yield proof
 
@@ -163,7 +145,7 @@ class Unmaking:
     def _taken_off(self, trial: Trial) -> Iterator[Proof | Refusal]:
         """What could be taken off as all lies, or after what is in the way was swung aside."""
         bundle, refusals = trial.bundle, []
-        for cut in self._few(trial.cuts):
+        for cut in self._few(trial):
             result = trial.cut(cut)
             yield result
             if isinstance(result, Refusal):
@@ -179,7 +161,11 @@ class Unmaking:
         """What could be undone where the rest guides it, and what glues much at once."""
         singles = self._singles(trial.bundle)
         yield from (Holding(trial.bundle, name).closed() for name in singles)
-        yield from (trial.cut(cut) for cut in sorted(trial.cuts, key=self._key) if len(cut.taken) > AT_ONCE)
+        yield from (
+            trial.cut(cut)
+            for cut in sorted(trial.cuts, key=partial(self._key, trial.bundle))
+            if len(cut.taken) > AT_ONCE
+        )
         yield from (Holding(trial.bundle, name).tucked(self.stack) for name in singles)
 
     def _standing(self, bundle: Bundle) -> Iterator[Chain]:
@@ -200,9 +186,10 @@ class Unmaking:
         """The glue joints, what is undone early first."""
         return sorted(bundle.glued, key=lambda name: self.ranks[name])
 
-    def _few(self, found: Iterable[Cut]) -> list[Cut]:
-        """Those that undo something, but not too much at once, the best first."""
-        return sorted((cut for cut in found if 0 < len(cut.taken) <= AT_ONCE), key=self._key)
+    def _few(self, trial: Trial) -> list[Cut]:
+        """Cuts that undo something, but not too much at once, the best first."""
+        found = (cut for cut in trial.cuts if 0 < len(cut.taken) <= AT_ONCE)
+        return sorted(found, key=partial(self._key, trial.bundle))
 
     def _helpful(self, found: Iterable[Cut], refusals: list[Refusal]) -> Iterator[Cut]:
         """What can be swung aside so that something that was refused comes free."""
@@ -213,8 +200,13 @@ class Unmaking:
                 if not cut.moved.isdisjoint(refusal.blockers) and not kept <= cut.moved:
                     yield cut
 
-    def _key(self, cut: Cut) -> tuple[int, ...]:
-        """The least comes first: what is undone early, many joints at once, at few parts, with all that moves."""
+    def _key(self, bundle: Bundle, cut: Cut) -> tuple[int, ...]:
+        """The least comes first.
+
+        What is undone early; what mirrors what was undone last; many joints at once; with nothing turned over; at
+        few parts, with all that moves.
+        """
         ends = {part for name in cut.taken for part in self.kit.joints[name].parts}
         rank = max((self.ranks[name] for name in cut.taken), default=0)
-        return rank, -len(cut.taken), len(ends), -len(cut.moved)
+        apart, turned = self._mirrored.isdisjoint(cut.taken), self.faces.is_turned(bundle, cut)
+        return rank, apart, -len(cut.taken), turned, len(ends), -len(cut.moved)

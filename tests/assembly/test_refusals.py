@@ -9,13 +9,14 @@ import pytest
 from popsim.assembly.aside import swung_aside
 from popsim.assembly.at_once import glued_together
 from popsim.assembly.bundle import Bundle
+from popsim.assembly.checking import check_order
 from popsim.assembly.cut import Cut, cuts
 from popsim.assembly.holding import Holding
 from popsim.assembly.kit import Kit
 from popsim.assembly.proof import Proof, Refusal
 from popsim.assembly.stack import Stack
 from popsim.assembly.trial import Trial, Trials
-from popsim.assembly.unmaking import check_order, find_order
+from popsim.assembly.unmaking import find_order
 from popsim.assembly.way import Way
 from popsim.design import Card
 from popsim.layout import lay_out
@@ -136,11 +137,11 @@ def test_several_things_are_swung_aside_only_if_something_comes_off_then() -> No
     whole = Bundle.whole(kit)
     own = whole.only({name for name in whole.parts if name.startswith("M1.")})
     loose = own.without(set(own.glued) - {late})
-    chain = swung_aside(loose, Trials(stack), 0, lambda found: [cut for cut in found if cut.taken])
+    chain = swung_aside(loose, Trials(stack), 0, lambda trial: [cut for cut in trial.cuts if cut.taken])
     assert len(chain) > 1
     assert not any(proof.joints for proof in chain[:-1])
     assert chain[-1].joints == (late,)
-    assert swung_aside(loose, Trials(stack), 0, lambda found: []) == ()
+    assert swung_aside(loose, Trials(stack), 0, lambda trial: []) == ()
 
 
 def test_the_card_stays_and_its_other_page_is_folded_over() -> None:

@@ -19,8 +19,8 @@ from popsim.simulation.rig import poses_of
 from popsim.simulation.solver import TIMESTEP
 from popsim.simulation.turning import turnings
 
-WEAK = 0.01
-"""What a height over the plane counts beside a gap while all is pressed flat: closed loops come first."""
+PRESSED = 10.0
+"""What a height over the plane counts beside a gap in the end: what is not made to lie flat opens, not stands."""
 
 
 class PartialRig:
@@ -103,16 +103,17 @@ class PartialRig:
         """Take off what the steps have left of loop gaps and of what hands lead to `angles` (j,)."""
         polished(self.now, lambda now: self._error(now, angles), self._slopes)
 
-    def flatten(self, angles: FloatArray) -> None:
-        """The same with all parts pressed into the plane y = 0, so weakly that no loop opens for it.
+    def flatten(self) -> None:
+        """Let all hands go and press all parts into the plane y = 0, with as small gaps as there can be.
 
         Flat poses are where ways part: what is led is led along all of them, and a loop may be closed with its
         other parts anywhere about one line. A hand on the pile decides.
         """
+        self.hold(np.arange(0))
         polished(
             self.now,
-            lambda now: np.concatenate([self._error(now, angles), WEAK * self._corner_places[:, 1]]),
-            lambda: np.concatenate([self._slopes(), WEAK * self._corner_slopes()]),
+            lambda now: np.concatenate([self._error(now, now), PRESSED * self._corner_places[:, 1]]),
+            lambda: np.concatenate([self._slopes(), PRESSED * self._corner_slopes()]),
         )
 
     @property
