@@ -10,7 +10,7 @@ ROOT = Path(__file__).resolve().parent.parent / "popsim"
 
 STOREYS = [
     {"errors", ""},
-    {"files", "units", "stock", "beside"},
+    {"files", "units", "stock", "beside", "wording"},
     {"geometry"},
     {"design"},
     {"mechanisms"},

@@ -5,14 +5,13 @@ executed. Backwards, the same steps put it together.
 """
 
 from popsim.assembly.ease import Ease
-from popsim.assembly.evidence import FOLDS_FLAT, Evidence
+from popsim.assembly.evidence import Evidence
 from popsim.assembly.kind import StepKind
 from popsim.assembly.plan import AssemblyPlan, plan_assembly
 from popsim.assembly.scene import FlapKey, Scene, flap_key
 from popsim.assembly.step import Step
 
 __all__ = [
-    "FOLDS_FLAT",
     "AssemblyPlan",
     "Ease",
     "Evidence",

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 
+from popsim import wording
 from popsim.assembly.bundle import Bundle
 from popsim.assembly.holding import Holding
 from popsim.assembly.kit import Kit
@@ -30,7 +31,7 @@ def check_order(kit: Kit, order: Sequence[tuple[str, ...]]) -> Refusal | None:
 
 def _undoing(bundle: Bundle, stack: Stack, names: tuple[str, ...], number: int) -> Proof | Refusal:
     """How just these joints are undone, as things lie or folded up again; or the last reason against it."""
-    refusal = Refusal(names, "it lies under other paper")
+    refusal = Refusal(names, wording.BURIED)
     for now in (bundle, bundle.folded):
         trial = Trial(now, stack, number)
         ways = [trial.cut(cut) for cut in trial.cuts if set(cut.taken) == set(names)]

@@ -4,6 +4,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from popsim import wording
 from popsim.assembly.step import Step
 from popsim.geometry.plane import path_length
 from popsim.layout import Layout
@@ -65,8 +66,7 @@ class Ease:
 
     def __str__(self) -> str:
         """One line."""
-        told = f"{self.steps} steps, {self.joints} joints ({self.standing} standing, {self.blind} blind)"
-        return f"{told}, {self.turns} turns, about {self.minutes:.0f} minutes"
+        return wording.EASE.format(**vars(self))
 
 
 def ease_of(layout: Layout, steps: Iterable[Step], *, turns: int, apart: int) -> Ease:

@@ -4,14 +4,10 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from popsim import wording
+
 DIGITS = 4
 """Decimals of lengths in the report, mm."""
-
-FOLDS_FLAT = (
-    "what hangs together after a step is folded on its own in MuJoCo, with its own joints only: one hinge is led "
-    "by hand for each free motion it has, to the angles of the finished pop-up as that closes; the rest follows"
-)
-"""What a report means by folding flat in the middle of the assembly."""
 
 PLAY = 0.3
 """mm; how far joints may open on the way, and how thick a flat stack of paper without thickness may be: what paper
@@ -52,12 +48,14 @@ class Folded:
     def refusal(self) -> str | None:
         """Why it does not fold flat; None where it does."""
         if self.gap > PLAY:
-            return f"what is glued then does not fold flat: a joint opens by {self.gap:.1f} mm"
+            return wording.OPENS.format(gap=self.gap)
         if self.thickness > PLAY:
-            return f"what is glued then does not fold flat: {self.thickness:.1f} mm stand up"
+            return wording.STANDS_UP.format(thickness=self.thickness)
         if self.crossing > TOUCH + self.gap:
-            through = " through ".join(self.crossed)
-            return f"what is glued then does not fold flat: {through} by {self.crossing:.1f} mm"
+            one, other = self.crossed
+            return wording.CROSSES.format(
+                through=wording.THROUGH.format(one=one, other=other), depth=self.crossing
+            )
         return None
 
 

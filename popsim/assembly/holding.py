@@ -4,6 +4,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from popsim import wording
 from popsim.assembly.bundle import Bundle
 from popsim.assembly.glueing import Glueing, Poses
 from popsim.assembly.kit import ONE_LINE
@@ -44,10 +45,10 @@ class Holding:
     def closed(self) -> Proof | Refusal:
         """The joint is glued with all open, and pressed as all is folded flat: the rest guides it to its place."""
         if len(self.groups) > 1:
-            return Refusal((self.name,), "nothing else guides it to its place")
+            return Refusal((self.name,), wording.NOT_GUIDED)
         degrees = self._opened
         if degrees is None:
-            return Refusal((self.name,), "no glue gets there: it is shut in")
+            return Refusal((self.name,), wording.NO_GLUE)
         motion = self._closing(degrees)
         up = self._glueing.face(self._flap, {part: poses[-1] for part, poses in motion.items()})
         blind = self._glueing.covered(self._at(degrees))
@@ -69,11 +70,11 @@ class Holding:
             poses = self._at(degrees)
             unreached = self._glueing.unreached(poses)
             if unreached:
-                reason = f"no finger reaches the flap of {unreached[0]} on {unreached[1]}"
+                reason = wording.NO_FINGER.format(carrier=unreached[0], target=unreached[1])
                 continue
             apart = self._brought(poses)
             if apart is None:
-                reason = f"held at {degrees:.0f} degrees it runs into paper from every side"
+                reason = wording.NO_SIDE_HELD.format(degrees=degrees)
                 continue
             motion = {part: np.stack([apart[part], poses[part]]) for part in poses}
             blind = self._glueing.unseen(poses, apart)
@@ -85,7 +86,7 @@ class Holding:
     def brought(self) -> Proof | Refusal:
         """What hangs on nothing else is brought to its place with all open, and pressed as all is folded flat."""
         if len(self.groups) == 1:
-            return Refusal((self.name,), "it cannot be taken away from its place")
+            return Refusal((self.name,), wording.NOT_TAKEN_AWAY)
         for degrees in HELD:
             poses = self._at(degrees)
             apart = self._brought(poses)
@@ -98,7 +99,7 @@ class Holding:
             up = self._glueing.face(self._flap, {part: own[-1] for part, own in motion.items()})
             parts = tuple(self.left.only(group) for group in self.groups)
             return Proof(Way.BROUGHT, (self.name,), blind, motion, _moving(motion), up, parts, degrees)
-        return Refusal((self.name,), "held open it runs into paper from every side")
+        return Refusal((self.name,), wording.NO_SIDE_OPEN)
 
     def tucked(self, stack: Stack) -> Proof | Refusal:
         """The flap is slid to its place between layers of what lies folded, from beyond its own crease."""
@@ -112,9 +113,9 @@ class Holding:
                 if joint.id != self.name and flap.target in joint.parts and not covers.isdisjoint(joint.parts)
             ]
             if any(line_distance(folded.axis(joint), line).max() < ONE_LINE for joint in closed):
-                return Refusal((self.name,), f"the layers on {flap.target} are joined where the flap would go in")
+                return Refusal((self.name,), wording.NO_MOUTH.format(target=flap.target))
             if all(side & folded.parts for side in stack.mouth(flap_key(flap))):
-                return Refusal((self.name,), f"the flap of {flap.carrier} is shut in")
+                return Refusal((self.name,), wording.SHUT_IN.format(carrier=flap.carrier))
         motion = {name: pose[None].repeat(2, axis=0) for name, pose in folded.poses.items()}
         up = self._glueing.face(self._flap, folded.poses)
         apart = tuple(self.left.only(group) for group in self.groups)

@@ -4,6 +4,7 @@ from collections.abc import Collection
 from dataclasses import dataclass, replace
 from typing import Any
 
+from popsim import wording
 from popsim.assembly.at_once import glued_together
 from popsim.assembly.ease import Ease, ease_of
 from popsim.assembly.evidence import Evidence
@@ -15,10 +16,10 @@ from popsim.assembly.proof import Proof
 from popsim.assembly.scene import flap_key
 from popsim.assembly.step import Step
 from popsim.assembly.storyboard import finished, scenes
+from popsim.assembly.telling import cutting_text, gluing_text, unproved_text
 from popsim.assembly.twins import apart
 from popsim.assembly.unmaking import Order, find_order
 from popsim.assembly.way import Way
-from popsim.assembly.wording import closing_text, cutting_text, folding_text, gluing_text, unproved_text, way_text
 from popsim.layout import Layout, Piece
 from popsim.simulation import Sweep
 
@@ -47,7 +48,7 @@ class AssemblyPlan:
     @property
     def text(self) -> str:
         """All steps as Markdown."""
-        lines = ["# Assembly", ""]
+        lines = [f"# {wording.ASSEMBLY}", "", wording.FOLD_FIRST, ""]
         lines += [f"{step.number}. {step.text}" for step in self.steps]
         return "\n".join(lines) + "\n"
 
@@ -83,7 +84,7 @@ def plan_assembly(layout: Layout, sweep: Sweep) -> AssemblyPlan:
         steps.prove(proof)
     for name in found.left:
         steps.doubt(name, found)
-    steps.add(StepKind.FINISH, (), closing_text(), before=finished(kit))
+    steps.add(StepKind.FINISH, (), wording.CLOSING, before=finished(kit))
     mirrored = apart(kit.twins, (proof.joints for proof in proofs if proof.joints))
     ease = ease_of(layout, steps.made, turns=turns(kit, proofs), apart=mirrored)
     return AssemblyPlan(tuple(steps.made), order, numbered, ease)
@@ -119,22 +120,26 @@ class _Steps:
             folded,
         )
         kind = StepKind.LAY if proof.way in (Way.LAID, Way.SLID) else StepKind.FOLD
-        words = way_text(proof.way) if refusal is None else unproved_text(refusal)
-        self._glue(kind, proof.joints, evidence, words, before=before, after=after, motion=moved)
+        flat = self._folded_before(before.poses)
+        text = (
+            gluing_text(self._numbered, proof.joints, proof.way, flat)
+            if refusal is None
+            else unproved_text(self._numbered, proof.joints, refusal, flat)
+        )
+        self._glue(kind, proof.joints, text, evidence=evidence, before=before, after=after, motion=moved)
 
     def doubt(self, name: str, order: Order) -> None:
         """Add a joint for which no way was found."""
         whole = finished(self._kit)
-        reason = order.refusals.get(name, "what comes before it cannot be made")
-        self._glue(
-            StepKind.LAY, (name,), Evidence(reason, False), unproved_text(reason), before=whole, after=whole
-        )
+        reason = order.refusals.get(name, wording.NOT_REACHED)
+        text = unproved_text(self._numbered, (name,), reason, self._folded_before(whole.poses))
+        self._glue(StepKind.LAY, (name,), text, evidence=Evidence(reason, False), before=whole, after=whole)
 
     def add(self, kind: StepKind, joints: tuple[str, ...], text: str, **more: Any) -> None:
         """Add a step."""
         self.made.append(Step(len(self.made) + 1, kind, joints=joints, text=text, **({"pieces": ()} | more)))
 
-    def _glue(self, kind: StepKind, joints: tuple[str, ...], evidence: Evidence, words: str, **more: Any) -> None:
+    def _glue(self, kind: StepKind, joints: tuple[str, ...], text: str, **more: Any) -> None:
         layout = self._kit.layout
         flaps = [flap for name in joints for flap in self._kit.flaps_of[name]]
         touched = {layout.piece_of[part].name for flap in flaps for part in (flap.carrier, flap.target)}
@@ -142,20 +147,18 @@ class _Steps:
         old = [piece.name for piece in layout.pieces if piece.name in touched & self._pieces]
         self._pieces |= touched
         self._joints |= set(joints)
-        before = self._folded_before(more["before"].poses)
         self.add(
             kind,
             joints,
-            " ".join([*before, gluing_text(self._numbered, new, joints), words]),
+            text,
             pieces=(*new, *old),
             parts=tuple(part for part, piece in layout.piece_of.items() if piece.name in new),
             flaps=tuple(flap_key(flap) for flap in flaps),
-            evidence=evidence,
             **more,
         )
 
     def _folded_before(self, shown: Collection[str]) -> list[str]:
-        """What was folded over of the parts that a step shows, as a sentence; it is not told again."""
+        """Names of the pieces that were folded over of the parts that a step shows; they are not told again."""
         here = [piece for piece in self._folded if not piece.motions.keys().isdisjoint(shown)]
         self._folded = [piece for piece in self._folded if piece not in here]
-        return [folding_text(dict.fromkeys(piece.name for piece in here))] if here else []
+        return list(dict.fromkeys(piece.name for piece in here))

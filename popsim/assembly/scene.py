@@ -43,7 +43,7 @@ class Scene:
 
     def __post_init__(self) -> None:
         poses = {name: locked(pose, (4, 4), f"pose of {name}") for name, pose in self.poses.items()}
-        flaps = {key: locked(pose, (4, 4), f"pose of flap {key}") for key, pose in self.flaps.items()}
+        flaps = {key: locked(pose, (4, 4), f"pose of {key}") for key, pose in self.flaps.items()}
         object.__setattr__(self, "poses", MappingProxyType(poses))
         object.__setattr__(self, "flaps", MappingProxyType(flaps))
 

@@ -7,6 +7,7 @@ from functools import cached_property, partial
 
 import numpy as np
 
+from popsim import wording
 from popsim.assembly.bundle import Bundle
 from popsim.assembly.cut import Cut, cuts
 from popsim.assembly.glueing import Glueing, Poses
@@ -63,27 +64,27 @@ class Trial:
         """Pull some parts out along the plane in which they lie."""
         taken = tuple(joint.id for joint in self.bundle.crossing(moved))
         if not set(taken) <= set(self.kit.flaps_of):
-            return Refusal(taken, "it is one piece of paper")
+            return Refusal(taken, wording.ONE_PIECE)
         for flap in self._glueing(taken).flaps:
             covering = self._covering(flap_key(flap), self.bundle.parts)
             if covering:
-                return Refusal(taken, f"slid in, glue would be wiped off on {covering[0]}", covering)
+                return Refusal(taken, wording.WIPED_OFF.format(other=covering[0]), covering)
         turn = self.bundle.turn(min(moved))
         for direction in np.array(ALONG, dtype=np.float64):
             if not self._hit(moved, turn @ direction):
                 return self._apart(moved, taken, turn @ direction, Way.SLID)
-        return Refusal(taken, "it cannot be slid in from any side")
+        return Refusal(taken, wording.NOT_SLID)
 
     def _lifted(self, cut: Cut) -> Proof | Refusal:
         flaps = self._glueing(cut.taken).flaps
         for flap in flaps:
             one, other = (self.bundle.normal(name) for name in (flap.carrier, flap.target))
             if abs(one @ other) < LEVEL:
-                return Refusal(cut.taken, f"{flap.carrier} and {flap.target} do not lie flat on each other")
+                return Refusal(cut.taken, wording.NOT_LEVEL.format(carrier=flap.carrier, target=flap.target))
         direction = cut.side * self.bundle.up(flaps[0].target)
         hit = self._hit(cut.moved, direction)
         if hit:
-            return Refusal(cut.taken, f"laid from above it runs into {hit[0][1]}", _others(hit))
+            return Refusal(cut.taken, wording.LAID_INTO.format(other=hit[0][1]), _others(hit))
         return self._apart(cut.moved, cut.taken, direction, Way.LAID)
 
     def _opened(self, cut: Cut) -> Proof | Refusal:
@@ -97,7 +98,7 @@ class Trial:
         turned = partial(self._turned, cut.moved, along, ends[0], float(np.sign(lever)))
         narrow = turned(least)
         if hit := narrow[2]:
-            return Refusal(cut.taken, f"folded over it runs into {hit[0][1]}", _others(hit))
+            return Refusal(cut.taken, wording.FOLDED_INTO.format(other=hit[0][1]), _others(hit))
         turns, motion, _ = next((one for one in map(turned, wider) if not one[2]), narrow)
         left = bundle.without(cut.taken).swung(cut.moved, turns[0], self.number)
         blind = self._glueing(cut.taken).unseen(bundle.poses, left.poses)
@@ -144,7 +145,7 @@ class Trial:
             own = cut.moved if lands else rest
             covering = self._covering(key, own if comes_onto else self.bundle.parts)
             if covering:
-                reason = f"the flap of {flap.carrier} cannot get between {flap.target} and {covering[0]}"
+                reason = wording.NOT_BETWEEN.format(carrier=flap.carrier, target=flap.target, other=covering[0])
                 return Refusal(cut.taken, reason, covering)
         return None
 

@@ -15,6 +15,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from functools import partial
 
+from popsim import wording
 from popsim.assembly.aside import Chain, swung_aside
 from popsim.assembly.at_once import AT_ONCE
 from popsim.assembly.bundle import Bundle
@@ -50,7 +51,7 @@ def find_order(kit: Kit) -> Order:
     """The order of least effort, executed; nothing can be executed of what does not fold flat."""
     if not kit.reference.folds_flat:
         left = tuple(kit.flaps_of)
-        return Order((), left, dict.fromkeys(left, "the finished pop-up does not fold flat"))
+        return Order((), left, dict.fromkeys(left, wording.NEVER_FLAT))
     unmaking = Unmaking(kit)
     while unmaking.step():
         pass

@@ -2,17 +2,19 @@
 
 from enum import Enum
 
+from popsim import wording
+
 
 class Way(Enum):
     """How a step is done; its value is what the report says."""
 
-    LAID = "laid from above and pressed down flat"
-    SLID = "slid in along the plane in which it lies; its flaps are folded onto it and pressed down flat"
-    FOLDED = "folded over and pressed down flat"
-    CLOSED = "glued open, then folded as in the finished pop-up and pressed down flat"
-    TUCKED = "tucked in between layers, out of sight, and pressed down flat"
-    HELD = "held open and pressed between two fingers"
-    BROUGHT = "brought to its place held open, then folded as in the finished pop-up and pressed down flat"
+    LAID = wording.WAY_LAID
+    SLID = wording.WAY_SLID
+    FOLDED = wording.WAY_FOLDED
+    CLOSED = wording.WAY_CLOSED
+    TUCKED = wording.WAY_TUCKED
+    HELD = wording.WAY_HELD
+    BROUGHT = wording.WAY_BROUGHT
 
     @property
     def lying(self) -> bool:

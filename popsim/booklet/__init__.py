@@ -3,7 +3,7 @@
 :mod:`popsim.booklet.sight` finds what is seen of flat paper in space, :mod:`popsim.booklet.figure` draws the
 states before and after a step, :mod:`popsim.booklet.pages` and :mod:`popsim.booklet.html` put them together. All
 drawings are marks of :mod:`popsim.layout.sheet` with the roles of :mod:`popsim.booklet.inks`, so the writers of
-sheets write them; all words stand in :mod:`popsim.booklet.wording`.
+sheets write them; all words stand in :mod:`popsim.wording`.
 """
 
 from popsim.booklet.format import booklet_format

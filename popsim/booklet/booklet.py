@@ -2,8 +2,8 @@
 
 from dataclasses import dataclass
 
+from popsim import wording
 from popsim.assembly import AssemblyPlan, StepKind
-from popsim.booklet import wording
 from popsim.booklet.closing import closing
 from popsim.booklet.column import text_height
 from popsim.booklet.cutting import draw_cutting

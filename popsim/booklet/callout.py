@@ -8,10 +8,10 @@ from popsim.booklet.inks import Ink
 from popsim.booklet.panel import fitted
 from popsim.booklet.shapes import drawn, moved
 from popsim.booklet.thumbnail import bounds, sheet_of, thumbnail
-from popsim.booklet.wording import PIECE
 from popsim.geometry.arrays import FloatArray
 from popsim.layout import Layout, Piece
 from popsim.layout.sheet import Area, Line, Mark, Text, text_width
+from popsim.wording import PIECE
 
 HEIGHT, WIDEST, NARROWEST = 18.0, 30.0, 18.0
 """mm; of a strip of pieces, and of the room for one piece."""

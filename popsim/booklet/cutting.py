@@ -9,10 +9,10 @@ from popsim.booklet.labels import Labels, Wish
 from popsim.booklet.panel import fitted
 from popsim.booklet.shapes import drawn, moved
 from popsim.booklet.thumbnail import thumbnail
-from popsim.booklet.wording import SHEET, STEP
 from popsim.geometry.arrays import FloatArray
 from popsim.layout import Layout
 from popsim.layout.sheet import Area, Line, Mark, Sheet, Text
+from popsim.wording import SHEET, STEP
 
 GAP, CAPTION = 5.0, 2.6
 """mm between sheets, and the font size of what stands below them."""

@@ -12,8 +12,8 @@ from popsim.booklet.motions import tracks
 from popsim.booklet.panel import draw_panel
 from popsim.booklet.scenery import Scenery
 from popsim.booklet.things import Eye
-from popsim.booklet.wording import STEP
 from popsim.layout.sheet import Area, Mark, Sheet
+from popsim.wording import STEP
 
 BEFORE = 0.58
 """Share of the width that the state before has: there is more to see in it."""

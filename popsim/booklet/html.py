@@ -4,7 +4,7 @@ from base64 import b64encode
 from html import escape
 from pathlib import Path
 
-from popsim.booklet import wording
+from popsim import wording
 from popsim.booklet.booklet import Booklet
 from popsim.booklet.inks import STYLE
 from popsim.booklet.legend import legend

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from popsim.booklet import wording
+from popsim import wording
 from popsim.booklet.arrows import arrow
 from popsim.booklet.depiction import PITCH, SLANT
 from popsim.booklet.hatch import hatched

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from popsim.booklet import wording
+from popsim import wording
 from popsim.booklet.booklet import Booklet, Entry
 from popsim.booklet.column import Column, text_height
 from popsim.booklet.format import GAP, Format

@@ -2,8 +2,7 @@
 
 from typing import Any
 
-from popsim import __version__
-from popsim.assembly import FOLDS_FLAT
+from popsim import __version__, wording
 from popsim.pipeline.folder import REPORT_FORMAT
 from popsim.pipeline.planned import Planned
 from popsim.pipeline.run import DesignRun
@@ -83,7 +82,7 @@ def _assembly(planned: Planned) -> dict[str, Any]:
     plan = planned.plan
     return {
         "ease": plan.ease.to_dict(),
-        "folds_flat_after_each_step": FOLDS_FLAT,
+        "folds_flat_after_each_step": wording.FOLDS_FLAT,
         "steps": [
             {"number": step.number, "joints": list(step.joints), **step.evidence.to_dict()}
             for step in plan.steps

@@ -5,6 +5,7 @@ from collections import Counter
 
 import pytest
 
+from popsim import wording
 from popsim.assembly import AssemblyPlan, StepKind, plan_assembly
 from popsim.design import Card, Design
 from popsim.layout import lay_out
@@ -61,7 +62,9 @@ def test_numbers_follow_the_order(plan: AssemblyPlan) -> None:
 
 def test_steps_name_pieces_that_exist_and_each_number_once(plan: AssemblyPlan) -> None:
     names = {piece.name for piece in plan.layout.pieces}
-    lists = [found for step in plan.steps for found in re.findall(r"flaps? ([\d, and]+) of", step.text)]
+    lists = [
+        found for step in plan.steps for found in re.findall(r"flaps? ([\d, and]+) (?:of|to their)", step.text)
+    ]
     words = Counter(int(number) for found in lists for number in re.findall(r"\d+", found))
     assert words == Counter(plan.layout.numbers.values())
     for step in plan.steps:
@@ -71,12 +74,11 @@ def test_steps_name_pieces_that_exist_and_each_number_once(plan: AssemblyPlan) -
     assert [step.number for step in plan.steps] == list(range(1, len(plan.steps) + 1))
 
 
-def test_every_piece_is_folded_once_when_it_is_first_used(plan: AssemblyPlan) -> None:
-    folded = Counter(re.findall(r"Fold piece (\S+) along", plan.text))
-    expected = {
-        p.name for p in plan.layout.pieces if p.folds and any(p.name in s.pieces for s in plan.steps[1:-1])
-    }
-    assert folded == Counter(expected)
+def test_each_step_is_one_sentence(plan: AssemblyPlan) -> None:
+    for step in plan.steps:
+        assert re.fullmatch(r"[A-Z][^.!?]*\.", step.text.replace(" 0.", " 0")), step.text
+        assert len(step.text) < 200
+    assert wording.FOLD_FIRST in plan.text
 
 
 def test_what_is_folded_as_shown_is_shown(plan: AssemblyPlan) -> None:
@@ -86,6 +88,12 @@ def test_what_is_folded_as_shown_is_shown(plan: AssemblyPlan) -> None:
             assert step.before is not None
             for name in re.findall(r"piece ([^\s,]+)", named):
                 assert parts[name] & set(step.before.poses)
+
+
+def test_where_paper_is_held_open_the_step_says_to_open_it(plan: AssemblyPlan) -> None:
+    for step in plan.steps[1:-1]:
+        assert step.evidence is not None
+        assert ("open the paper as shown" in step.text.lower()) == (step.evidence.degrees is not None)
 
 
 def test_the_ease_adds_up(plan: AssemblyPlan) -> None:
