@@ -121,6 +121,8 @@ class _Steps:
         )
         kind = StepKind.LAY if proof.way in (Way.LAID, Way.SLID) else StepKind.FOLD
         flat = self._folded_before(before.poses)
+        if proof.degrees is not None:
+            flat = []  # all is opened for it, what was folded over too
         text = (
             gluing_text(self._numbered, proof.joints, proof.way, flat)
             if refusal is None

@@ -37,7 +37,7 @@ def _shapes(sight: Sight, pitch: float) -> Iterator[Shape]:
             yield Shape(Ink.HATCH, hatched(seen.area, pitch, SLANT))
         else:
             yield Shape(Ink.HATCH_BEHIND, hatched(seen.whole, pitch, SLANT))
-            yield Shape(Ink.HATCH_BEHIND, seen.whole.boundary)
+            yield Shape(Ink.RIM_BEHIND, seen.whole.boundary)
     if thing.kind is Kind.PLACE:
         yield Shape(Ink.HATCH, seen.edges)
         return

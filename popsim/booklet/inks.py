@@ -23,6 +23,7 @@ class Ink(Meaning):
     BUBBLE = "bubble"
     HATCH = "hatch"
     HATCH_BEHIND = "hatch-behind"
+    RIM_BEHIND = "rim-behind"
     HIDDEN = "hidden"
     CREASE = "crease"
     MOUNTAIN = "mountain"
@@ -58,6 +59,7 @@ STYLE = Style(
         Ink.BUBBLE: _fill((1.0, 1.0, 1.0)),
         Ink.HATCH: Stroke(GLUE_RED, 0.22),
         Ink.HATCH_BEHIND: Stroke(GLUE_RED, 0.14, (0.6, 0.7)),
+        Ink.RIM_BEHIND: Stroke(GLUE_RED, 0.16),
         Ink.HIDDEN: Stroke(LIGHT, 0.13, (0.9, 0.7)),
         Ink.CREASE: Stroke(PENCIL, 0.13),
         Ink.MOUNTAIN: Stroke((0.85, 0.0, 0.0), 0.2, (2.2, 0.6, 0.4, 0.6)),

@@ -23,8 +23,8 @@ def legend() -> tuple[tuple[Sheet, str], ...]:
         (wording.NEW, _pair(Ink.NEW, Ink.NEW_REVERSE, Ink.NEW_EDGE)),
         (wording.OLD, _pair(Ink.PAPER, Ink.PAPER_REVERSE, Ink.EDGE)),
         (wording.CARD, _pair(Ink.PAGE, Ink.PAGE_REVERSE, Ink.EDGE)),
-        (wording.GLUE, _hatched(Ink.HATCH)),
-        (wording.GLUE_BEHIND, _hatched(Ink.HATCH_BEHIND)),
+        (wording.GLUE, _hatched(Ink.HATCH, Ink.EDGE)),
+        (wording.GLUE_BEHIND, _hatched(Ink.HATCH_BEHIND, Ink.RIM_BEHIND)),
         (wording.NUMBER, _number("7")),
         (wording.NUMBER_BEHIND, _number("(7)")),
         (wording.ARROW, _arrow()),
@@ -43,13 +43,11 @@ def _pair(front: Ink, back: Ink, edge: Ink) -> Iterator[Mark]:
     yield from drawn([Shape(front, left), Shape(back, right), Shape(edge, left.boundary.union(right.boundary))])
 
 
-def _hatched(ink: Ink) -> Iterator[Mark]:
+def _hatched(ink: Ink, rim: Ink) -> Iterator[Mark]:
     import shapely
 
     flap = shapely.Polygon([(1, 1.5), (17, 1.5), (14, 6), (4, 6)])
-    yield from drawn(
-        [Shape(Ink.PAPER, flap), Shape(ink, hatched(flap, PITCH, SLANT)), Shape(Ink.EDGE, flap.boundary)]
-    )
+    yield from drawn([Shape(Ink.PAPER, flap), Shape(ink, hatched(flap, PITCH, SLANT)), Shape(rim, flap.boundary)])
 
 
 def _number(text: str) -> Iterator[Mark]:

@@ -1,4 +1,4 @@
-"""The booklet as pages: cover, tools and legend, steps two to a page, what to check."""
+"""The booklet as pages: cover, tools and legend, steps two to a page, what to check where there is room."""
 
 from collections.abc import Iterator
 
@@ -20,7 +20,7 @@ def draw_pages(booklet: Booklet, form: Format) -> tuple[Sheet, ...]:
     """All pages; a step is never divided between two."""
     columns = [_cover(booklet, form), _reading(form), *_steps(booklet.entries, form)]
     if booklet.checks:
-        columns.append(_listed(form, wording.CHECKS, booklet.checks))
+        _check(columns, booklet.checks, form)
     return tuple(_page(column, k, len(columns), form) for k, column in enumerate(columns, 1))
 
 
@@ -77,6 +77,19 @@ def _reading(form: Format) -> Column:
     column.skip(2.5)
     _list(column, form, wording.ADVICE, wording.TIPS)
     return column
+
+
+def _check(columns: list[Column], checks: tuple[str, ...], form: Format) -> None:
+    """Write what to check below the last step where there is room, else on the cover or on a page of its own."""
+    trial = _listed(form, wording.CHECKS, checks)
+    foot = form.page.height - form.margin - form.height
+    height = form.page.height - form.margin - trial.top + 2 * GAP
+    roomy = next((column for column in (columns[-1], columns[0]) if column.top - height > foot), None)
+    if roomy is None:
+        columns.append(trial)
+    else:
+        roomy.skip(2 * GAP)
+        _list(roomy, form, wording.CHECKS, checks)
 
 
 def _listed(form: Format, heading: str, items: tuple[str, ...]) -> Column:

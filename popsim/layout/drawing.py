@@ -4,7 +4,7 @@ import numpy as np
 
 from popsim.layout.furniture import furnish, measures
 from popsim.layout.layout import Layout
-from popsim.layout.notes import note_marks, notes_fit
+from popsim.layout.notes import note_marks, notes_place, own_sheet
 from popsim.layout.piece_marks import piece_marks, reverse_marks
 from popsim.layout.sheet import Mark, Meaning, Role, Sheet, Text
 
@@ -32,16 +32,17 @@ def draw_sheets(
         Follow each sheet by its reverse, mirrored, to be printed on the back of it (flipped on the long edge): the
         places that are glued there stand on it instead of numbers in brackets on the front.
     notes:
-        What to check: on the last sheet above its pieces where there is room, else on a page of their own, whose
-        name says that there is nothing to cut.
+        What to check: on the last sheet that has room for it, else on a page of their own, whose name says that
+        there is nothing to cut.
     """
     sheets = []
+    place = notes_place(layout, notes) if notes else None
     for number in range(layout.sheet_count):
         own = [placement for placement in layout.placements if placement.sheet == number]
         title = f"Sheet {number + 1} of {layout.sheet_count}"
         marks = [mark for placement in own for mark in piece_marks(layout, placement, two_sided=two_sided)]
-        if notes and number == layout.sheet_count - 1 and notes_fit(layout, notes):
-            marks += note_marks(layout, notes)
+        if place is not None and place.sheet == number:
+            marks += note_marks(notes, place)
         marks += furnish(layout.paper, layout.settings, title, footer=footer, banner=banner)
         sheets.append(_sheet(layout, title, marks, f"{number + 1}"))
         if two_sided:
@@ -49,9 +50,9 @@ def draw_sheets(
             behind = [mark for placement in own for mark in reverse_marks(layout, placement, width)]
             behind += [*_headings(layout, title, banner), *measures(layout.settings.frame(layout.paper), footer)]
             sheets.append(_sheet(layout, f"{title}, reverse", behind, f"{number + 1}-reverse"))
-    if notes and not notes_fit(layout, notes):
+    if notes and place is None:
         furniture = furnish(layout.paper, layout.settings, "Notes", footer=footer, banner=banner)
-        sheets.append(_sheet(layout, "Notes", [*note_marks(layout, notes), *furniture], "notes"))
+        sheets.append(_sheet(layout, "Notes", [*note_marks(notes, own_sheet(layout)), *furniture], "notes"))
     return tuple(sheets)
 
 

@@ -63,7 +63,7 @@ def test_numbers_follow_the_order(plan: AssemblyPlan) -> None:
 def test_steps_name_pieces_that_exist_and_each_number_once(plan: AssemblyPlan) -> None:
     names = {piece.name for piece in plan.layout.pieces}
     lists = [
-        found for step in plan.steps for found in re.findall(r"flaps? ([\d, and]+) (?:of|to their)", step.text)
+        found for step in plan.steps for found in re.findall(r"flaps? ([\d, and]+) (?:of|to the same)", step.text)
     ]
     words = Counter(int(number) for found in lists for number in re.findall(r"\d+", found))
     assert words == Counter(plan.layout.numbers.values())

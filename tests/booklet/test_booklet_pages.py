@@ -193,3 +193,10 @@ def test_warning_stands_on_the_cover(booklet: Booklet, form: Format, built: Buil
     assert "<strong>NOT VERIFIED</strong>" in page_of(warned, built.folder)
     assert "<box>" not in page_of(warned, built.folder)
     assert "<strong>" not in page_of(booklet, built.folder)
+
+
+def test_what_to_check_stands_where_there_is_room(booklet: Booklet, form: Format) -> None:
+    """One sentence never takes a page of its own while the cover has room; many do."""
+    without = len(draw_pages(replace(booklet, checks=()), form))
+    assert len(draw_pages(replace(booklet, checks=CHECKS[:1]), form)) == without
+    assert len(draw_pages(replace(booklet, checks=CHECKS * 4), form)) == without + 1
