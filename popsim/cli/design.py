@@ -77,6 +77,9 @@ Seed = Annotated[int, typer.Option(help="Of everything random; the report states
 Unverified = Annotated[
     bool, typer.Option("--allow-unverified", help="Export even what does not fold, every sheet marked.")
 ]
+TestBuild = Annotated[
+    bool, typer.Option("--calibration", help="Print the test build too, as `popsim calibration` does.")
+]
 
 
 def design(
@@ -106,6 +109,7 @@ def design(
     reverse: Reverse = None,
     seed: Seed = 0,
     allow_unverified: Unverified = False,
+    calibration: TestBuild = False,
     force: ForceFolder = False,
 ) -> None:
     """Design a pop-up of a 3D model, fold it in MuJoCo, and export its sheets if it passes.
@@ -140,6 +144,7 @@ def design(
         formats=chosen_formats(format),
         seed=seed,
         allow_unverified=allow_unverified,
+        calibration=calibration,
     )
     raise typer.Exit(0 if _designed(model, settings, wishes, output, force) else 1)
 
@@ -205,6 +210,8 @@ def _command(model: Path, settings: "RunSettings", wishes: Path | None) -> str:
         grain=settings.layout.grain,
         registration=settings.layout.registration,
     )
+    if settings.calibration:
+        words.append("--calibration")
     return " ".join(words)
 
 

@@ -70,12 +70,13 @@ def deliver_calibration(
     OutputError
         A file exists and `force` is false, or the folder cannot be written.
     """
+    return fill_folder(folder, lambda own: write_calibration(sweep, own, settings, footer=footer), force=force)
 
-    def fill(own: Path) -> list[Path]:
-        picture = started_picture(sweep.design, own)
-        planned = plan_sheets(sweep.design, sweep, paper=settings.paper, settings=settings.layout)
-        return write_prints(
-            planned, sweep.design, sweep, picture.result, own, settings, name=NAME, footer=footer, checks=CHECKS
-        )
 
-    return fill_folder(folder, fill, force=force)
+def write_calibration(sweep: Sweep, folder: Path, settings: RunSettings, *, footer: str) -> list[Path]:
+    """The same into a folder that is there already, whatever is in it."""
+    picture = started_picture(sweep.design, folder)
+    planned = plan_sheets(sweep.design, sweep, paper=settings.paper, settings=settings.layout)
+    return write_prints(
+        planned, sweep.design, sweep, picture.result, folder, settings, name=NAME, footer=footer, checks=CHECKS
+    )

@@ -8,7 +8,9 @@ from typing import NamedTuple
 
 from popsim.booklet import started_picture
 from popsim.design import Source
+from popsim.errors import OutputError
 from popsim.geometry.arrays import UInt8Array
+from popsim.pipeline.calibration import calibration_design, write_calibration
 from popsim.pipeline.folder import REPORT, fill_folder
 from popsim.pipeline.planned import Planned, plan_sheets
 from popsim.pipeline.prints import write_prints
@@ -16,10 +18,14 @@ from popsim.pipeline.report import report_of
 from popsim.pipeline.review import bare_sides
 from popsim.pipeline.run import DesignRun
 from popsim.pipeline.wishes import wishes_text
+from popsim.verification import verify
 
 UNVERIFIED = "NOT VERIFIED: this design failed the folding test"
 
 WISHES = "wishes.yaml"
+
+CALIBRATION = "calibration"
+"""The folder of the test build within that of a design."""
 
 
 class Delivery(NamedTuple):
@@ -74,6 +80,8 @@ def _everything(
         banner=None if run.verdict.passed else UNVERIFIED,
         checks=bare_sides(run.painted.fins, run.settings.patches.reverse),
     )
+    if run.settings.calibration:
+        made += _test_build(run, folder / CALIBRATION, footer)
     return made + _wishes_and_report(run, planned, command, folder, made)
 
 
@@ -87,6 +95,15 @@ def _wishes_and_report(
     report = json.dumps(report_of(run, planned, names, command), indent=1, allow_nan=False)
     (folder / REPORT).write_text(report + "\n")
     return files
+
+
+def _test_build(run: DesignRun, folder: Path, footer: str) -> list[Path]:
+    """Verify the test build and write it as its own command does."""
+    verdict = verify(calibration_design())
+    if not verdict.passed:
+        raise OutputError(f"{folder.name} is not written: the test build does not fold")
+    folder.mkdir()
+    return write_calibration(verdict.evidence.sweep, folder, run.settings, footer=footer)
 
 
 def _wishes(run: DesignRun, command: str) -> str:

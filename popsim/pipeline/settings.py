@@ -37,6 +37,8 @@ class RunSettings:
         Of everything random.
     allow_unverified:
         Export a design that failed verification, every sheet marked.
+    calibration:
+        Print the test build beside the design, into a folder of its own.
     wishes_for:
         SHA-256 of the model that the wishes were written for, or None.
     """
@@ -54,6 +56,7 @@ class RunSettings:
     formats: tuple[str, ...] = ("pdf", "svg")
     seed: int = 0
     allow_unverified: bool = False
+    calibration: bool = False
     wishes_for: str | None = None
 
     def __post_init__(self) -> None:

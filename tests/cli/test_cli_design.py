@@ -47,6 +47,20 @@ def test_design_leaves_everything_that_is_promised_and_it_verifies(popsim, block
     assert json.loads((tmp_path / "verdict.json").read_text())["passed"] is True
 
 
+def test_test_build_is_printed_beside_the_design_and_goes_with_it(popsim, block: Path, tmp_path: Path) -> None:
+    done = popsim("design", block, "-o", "out", "--dpi", 60, "--calibration")
+    assert done.returncode == 0, done.stderr
+    names = {str(path) for path in contents(tmp_path / "out")}
+    assert {"sheets.pdf", "design.json", "calibration/sheets.pdf", "calibration/instructions.pdf"} <= names
+    report = json.loads((tmp_path / "out" / "report.json").read_text())
+    assert set(report["files"]) | {"report.json"} == names
+    assert report["command"].endswith("--calibration")
+    assert len(load_design(tmp_path / "out" / "calibration" / "design.json").mechanisms) == 2
+    assert load_design(tmp_path / "out" / "design.json").source is not None
+    assert popsim("design", block, "-o", "out", "--dpi", 60, "--force").returncode == 0
+    assert not (tmp_path / "out" / "calibration").exists()
+
+
 def test_same_input_gives_the_same_bytes(popsim, block: Path, tmp_path: Path) -> None:
     for folder in ("one", "two"):
         assert popsim("design", block, "-o", folder, "--dpi", 60).returncode == 0
