@@ -69,12 +69,13 @@ class Draughtsman:
         return Scenery(self.eye.look(step.after, self._marked(step)))
 
     def _marked(self, step: Step) -> tuple[str, ...]:
-        """Parts that stand out: what moves; what is new where nothing does; what is glued where all is folded."""
+        """Parts that stand out: what moves as one, else what is new, else what flaps are glued of."""
         if step.kind is StepKind.FINISH:
             return ()
+        glued = tuple(dict.fromkeys(self.eye.ends(key)[0] for key in step.flaps))
         if step.motion and not _moves_as_one(step):
-            return tuple(dict.fromkeys(self.eye.ends(key)[0] for key in step.flaps))
-        return tuple(step.motion) or step.parts
+            return glued
+        return tuple(step.motion) or step.parts or glued
 
     def _named(self, step: Step) -> set[str]:
         """Parts of the pieces that are new or glued in a step."""

@@ -200,3 +200,10 @@ def test_what_to_check_stands_where_there_is_room(booklet: Booklet, form: Format
     without = len(draw_pages(replace(booklet, checks=()), form))
     assert len(draw_pages(replace(booklet, checks=CHECKS[:1]), form)) == without
     assert len(draw_pages(replace(booklet, checks=CHECKS * 4), form)) == without + 1
+
+
+def test_something_stands_out_in_every_step_that_glues(booklet: Booklet, built: Built) -> None:
+    glues = {step.number for step in built.plan.steps if step.flaps}
+    for entry in booklet.entries:
+        if entry.number in glues:
+            assert {Ink.NEW, Ink.NEW_REVERSE} & {mark.role for mark in entry.figure.marks}
