@@ -12,7 +12,7 @@ from popsim.layout.flap import Flap
 from popsim.layout.flaps import InTheWay
 from popsim.layout.joints import Joint, find_joints
 from popsim.layout.laid import Laid, Planned, is_worth
-from popsim.layout.nesting import Estimator, nest
+from popsim.layout.nesting import Estimator, nest, suffices
 from popsim.layout.opening import with_opened_folds
 from popsim.layout.paper import Paper, find_paper
 from popsim.layout.parts import Part
@@ -124,12 +124,14 @@ def lay_out(
         return [other_divisions(one, plain[:k], design, room, settings) for k, one in enumerate(plain)]
 
     estimator = Estimator(room, settings.apart, settings.grain)
-    best, *rest = (
-        with_opened_folds(partial(plan, divisions), place, laid, estimator, room, settings)
-        for divisions, laid in lay_out_divided(plan, place, plain, others, estimator, room, settings)
-    )
-    for other in rest:
-        best = other if is_worth(other.waste(room), best.waste(room)) else best
+    best: Laid | None = None
+    for divisions, laid in lay_out_divided(plan, place, plain, others, estimator, room, settings):
+        opened = with_opened_folds(partial(plan, divisions), place, laid, estimator, room, settings)
+        if best is None or is_worth(opened.waste(room), best.waste(room)):
+            best = opened
+        if suffices(best.waste(room), best.planned.shares(room)):
+            break
+    assert best is not None  # at least the plainest division is laid out, or refused
     if best.waste(room).lacking:
         best = min(best, place(best.planned, patient=True), key=lambda laid: laid.waste(room))
     return _finished(best, paper, settings)

@@ -191,6 +191,7 @@ def _turned(shape: "Polygon", angle: float, gap: float, grid: Grid) -> tuple[Flo
     low = np.array(moved.bounds[:2]) - grown_by
     columns, rows = np.ceil((np.array(moved.bounds[2:]) + grown_by - low) / grid.cell).astype(int)
     # mitred corners hold the round ones, whose polygons would fall short of the full distance
-    grown = moved.buffer(grown_by, join_style="mitre", mitre_limit=1.1)
+    with np.errstate(divide="ignore", invalid="ignore"):  # GEOS divides by zero at spikes, and copes
+        grown = moved.buffer(grown_by, join_style="mitre", mitre_limit=1.1)
     size = min(int(rows), grid.size[0]), min(int(columns), grid.size[1])
     return flat_motion(0.0, -low - grown_by) @ motion, covered(grown, low, grid.cell, size)[::-1]
