@@ -271,6 +271,54 @@ def test_models_without_colours_print_as_paper_with_creases():
     assert dark[:, width // 2].any() and dark[height // 2].any()
 
 
+def test_colours_of_corners_run_over_a_print_as_they_do_over_the_model():
+    plain = coloured_box((-50, -30, 0), (50, 30, 40))
+    red = (plain.triangles[..., 0] + 50) / 100
+    colours = np.stack([red, np.zeros_like(red), 1 - red, np.ones_like(red)], axis=-1)
+    shaded = Surface(plain.triangles, plain.uv, np.zeros_like(plain.material), (Material(np.ones(4)),), colours)
+    made = painted([box_fold()], shaded)
+    image = np.asarray(Image.open(BytesIO(made.images["textures/M1.L.png"]))).astype(int)
+    frame = made.shapes["M1.L"].texture_frame
+    across = (np.arange(image.shape[1]) + 0.5) / image.shape[1]
+    x = np.clip(frame.origin[0] + across * frame.right[0], -50, 50)
+    expected = 255 * (x + 50) / 100
+    assert np.abs(image[..., 0] - expected).max() <= 3
+    assert np.abs(image[..., 2] - (255 - expected)).max() <= 3
+    assert image[..., 1].max() == 0
+
+
+def fence(behind):
+    """A box whose side at y = 30 has a transparent square in its texture, 24 by 24, amid its 100 by 40."""
+    body = coloured_box((-50, -30, 0), (50, 30, 40))
+    side = (body.triangles[..., 1] == 30).all(axis=1)
+    picture = np.full((40, 100, 4), (200, 0, 0, 255), dtype=np.uint8)
+    picture[8:32, 38:62, 3] = 0
+    uv = np.zeros_like(body.uv)
+    uv[side] = (body.triangles[side][..., [0, 2]] - (-50, 0)) / (100, 40)
+    gone = (
+        np.zeros(len(side), dtype=bool) if behind else ~side & (np.abs(body.triangles[..., 1]) == 30).all(axis=1)
+    )
+    materials = (*body.materials, Material(np.ones(4), picture))
+    return Surface(
+        body.triangles[~gone], uv[~gone], np.where(side, len(body.materials), body.material)[~gone], materials
+    )
+
+
+def test_what_is_seen_through_a_transparent_part_of_a_texture_is_printed_there():
+    made = painted([box_fold()], fence(behind=True))
+    image = np.asarray(Image.open(BytesIO(made.images["textures/M1.L.png"])))
+    rows, columns = image.shape[:2]
+    assert (image[rows // 2, columns // 2] == np.rint(YELLOW[:3] * 255)).all()  # the far side
+    assert (image[rows // 2, columns // 5] == (200, 0, 0)).all()
+
+
+def test_where_nothing_lies_behind_a_transparent_part_there_is_a_window():
+    made = painted([box_fold()], fence(behind=False))
+    (hole,) = made.shapes["M1.L"].holes
+    assert np.ptp(hole[:, 0]) == pytest.approx(24, abs=0.7)
+    assert np.ptp(hole[:, 2]) == pytest.approx(24, abs=0.7)
+
+
 @pytest.mark.parametrize("turn", [0.0, 25.0, 45.0])
 def test_outlines_stay_within_half_a_millimetre_of_the_silhouette(turn):
     """Where no hinge is near: round wheels, an arch, a round and a turned window."""
