@@ -125,7 +125,11 @@ def lay_out(
 
     estimator = Estimator(room, settings.apart, settings.grain)
     best: Laid | None = None
-    for divisions, laid in lay_out_divided(plan, place, plain, others, estimator, room, settings):
+
+    def enough() -> bool:
+        return best is not None and not best.waste(room).lacking
+
+    for divisions, laid in lay_out_divided(plan, place, plain, others, estimator, room, settings, enough):
         opened = with_opened_folds(partial(plan, divisions), place, laid, estimator, room, settings)
         if best is None or is_worth(opened.waste(room), best.waste(room)):
             best = opened

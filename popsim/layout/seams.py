@@ -23,6 +23,9 @@ SWEEPS = 2
 EFFORT = 50_000_000
 """Cells looked at after which no more seams are sketched; twice as many where one part more is tried."""
 
+FURTHER = 4
+"""Sketches beside the best that are planned in full at most, while sheets are not well filled."""
+
 
 def lay_out_divided(
     plan: Callable[[Sequence[Division]], Planned],
@@ -32,8 +35,11 @@ def lay_out_divided(
     estimator: Estimator,
     room: Room,
     settings: LayoutSettings,
+    enough: Callable[[], bool] = lambda: False,
 ) -> Iterator[tuple[Sequence[Division], Laid]]:
     """Yield what is laid out with the plainest seams, and then with others, if those are worth it.
+
+    Estimates are not exact: where sheets are still not well filled, what seems next best is planned in full too.
 
     Parameters
     ----------
@@ -45,6 +51,8 @@ def lay_out_divided(
         The plainest division of each plane.
     others:
         Finds other divisions of each plane.
+    enough:
+        Asked whether what was made of all that was yielded fills its sheets well.
     """
     seams = _Seams(plain, others)
     plain, planned = _first(plan, seams)
@@ -53,13 +61,18 @@ def lay_out_divided(
     before = laid.waste(room)
     if not plain or suffices(before, planned.shares(room)):
         return
-    chosen = _sketched(Sketch(planned, settings.seam_depth), plain, seams, estimator)
-    if not _same(chosen, plain):
+    sketched = _sketched(Sketch(planned, settings.seam_depth), plain, seams, estimator)
+    for k, chosen in enumerate(sketched[: 1 + FURTHER]):
+        if k and (not before.lacking or enough()):
+            return
+        if _same(chosen, plain):
+            continue
         try:
             found = place(plan(chosen))
         except LayoutError:  # its flaps have no room
-            return
+            continue
         if is_worth(found.waste(room), before):
+            before = found.waste(room)
             yield chosen, found
 
 
@@ -101,11 +114,22 @@ def _first(plan: Callable[[Sequence[Division]], Planned], seams: _Seams) -> tupl
 
 def _sketched(
     sketch: Sketch, plain: Sequence[Division], seams: _Seams, estimator: Estimator
-) -> Sequence[Division]:
-    """The divisions that are estimated to waste least: one plane after the other is divided anew."""
+) -> list[Sequence[Division]]:
+    """The divisions that are estimated to waste least, and then all that were sketched, the best first.
+
+    One plane after the other is divided anew.
+    """
+    known: list[tuple[Waste, Sequence[Division]]] = []
 
     def waste(divisions: Sequence[Division]) -> Waste | None:
-        return estimator.waste(sketch.shapes({name: own for each in divisions for name, own in each.items()}))
+        found = estimator.waste(sketch.shapes({name: own for each in divisions for name, own in each.items()}))
+        if found is not None and not any(_same(divisions, other) for _, other in known):
+            known.append((found, divisions))
+        return found
+
+    def ranked() -> list[Sequence[Division]]:
+        others = sorted(known, key=lambda one: one[0])
+        return [chosen, *(divisions for _, divisions in others if not _same(divisions, chosen))]
 
     chosen, least, start = list(plain), waste(plain), estimator.effort
     for more in (0, 1):
@@ -116,14 +140,14 @@ def _sketched(
             for k, divisions in enumerate(seams.up_to(more)):
                 for division in divisions:
                     if estimator.effort - start > EFFORT * (1 + more):
-                        return chosen
+                        return ranked()
                     tried = [*chosen[:k], division, *chosen[k + 1 :]]
                     found = waste(tried)
                     if found is not None and (least is None or _is_better(tried[k], found, chosen[k], least)):
                         chosen, least = tried, found
             if _same(chosen, before):
                 break
-    return chosen
+    return ranked()
 
 
 def _is_better(tried: Division, found: Waste, chosen: Division, least: Waste) -> bool:

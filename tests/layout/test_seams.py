@@ -1,5 +1,7 @@
 """Where patches are divided depends on what else goes onto the sheets."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 import shapely
@@ -8,10 +10,12 @@ from shapely.geometry import box
 from popsim.design import Card, Design
 from popsim.geometry.flat import move_shape
 from popsim.layout import Layout, LayoutSettings, find_paper, lay_out
+from popsim.layout import seams as seams_module
 from popsim.layout.divisions import count_parts, other_divisions, parts_of, plain_divisions
+from popsim.layout.seams import lay_out_divided
 from popsim.layout.sketch import Sketch
 from popsim.layout.split import Flaps, Hints, cut
-from popsim.layout.waste import WELL_FILLED, taken_of
+from popsim.layout.waste import WELL_FILLED, Waste, taken_of
 from popsim.mechanisms import assemble, card_pair
 from popsim.mechanisms.box_fold import BoxFold
 
@@ -122,6 +126,41 @@ def test_seams_are_moved_only_where_that_is_worth_it(monkeypatch: pytest.MonkeyP
         assert chosen.sheet_count <= plain.sheet_count
         if chosen.sheet_count == plain.sheet_count:
             assert min(shares(chosen)[:-1].min(), WELL_FILLED) >= min(shares(plain)[:-1].min(), WELL_FILLED)
+
+
+@pytest.mark.parametrize(
+    ("lacking", "content", "planned", "yielded"),
+    [
+        ({"best": 0.0}, False, ["plain", "best"], ["plain", "best"]),
+        ({"best": 0.1, "next": 0.0}, False, ["plain", "best", "next"], ["plain", "best", "next"]),
+        ({"best": 0.3, "next": 0.3, "last": 0.1}, False, ["plain", "best", "next", "last"], ["plain", "last"]),
+        ({"best": 0.3, "next": 0.0}, True, ["plain", "best"], ["plain"]),
+    ],
+)
+def test_what_seems_next_best_is_planned_too_while_sheets_are_not_well_filled(
+    monkeypatch: pytest.MonkeyPatch,
+    lacking: dict[str, float],
+    content: bool,
+    planned: list[str],
+    yielded: list[str],
+) -> None:
+    """Estimates are not exact; but nothing more is planned once all sheets are filled, here or otherwise."""
+    ways = {name: ({name: ()},) for name in ("plain", "best", "next", "last")}
+    asked: list[str] = []
+
+    def plan(divisions: tuple[dict[str, tuple[()]], ...]) -> SimpleNamespace:
+        asked.append(next(iter(divisions[0])))
+        return SimpleNamespace(name=asked[-1], shares=lambda room: [0.5] * 4)
+
+    def place(made: SimpleNamespace) -> SimpleNamespace:
+        short = lacking.get(made.name, 0.3)
+        return SimpleNamespace(waste=lambda room: Waste(3, short, 0.5, -1.0, ()))
+
+    monkeypatch.setattr(seams_module, "Sketch", lambda *_: None)
+    monkeypatch.setattr(seams_module, "_sketched", lambda *_: [ways["best"], ways["next"], ways["last"]])
+    found = lay_out_divided(plan, place, ways["plain"], list, None, ROOM, SETTINGS, lambda: content)
+    assert [next(iter(divisions[0])) for divisions, _ in found] == yielded
+    assert asked == planned
 
 
 def test_parts_are_in_the_order_of_the_design() -> None:
