@@ -5,7 +5,7 @@ planes meet, so each plate is cut by half planes only. Picture coordinates are t
 :class:`popsim.rendering.view.View`: x to the right, y up, depth away from the eye.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -24,6 +24,9 @@ if TYPE_CHECKING:
 TOUCHING = 0.02
 """mm of depth; plates nearer to each other than this do not hide each other: they lie on each other or share an
 edge."""
+
+GRAIN = 1e-6
+"""mm; the grid of overlays that fail without one."""
 
 EDGE_ON = 0.02
 """Cosine between the normal of a plate and the eye below which it is drawn turned to that: never as nothing."""
@@ -105,12 +108,12 @@ def see(plates: Sequence[Plate], view: "View") -> tuple[Seen, ...]:
     for back, cover in _covers(whole, np.array([one.depth for one in projected])):
         before[back].append(cover)
     covers = np.array([_joined(shape, own) for shape, own in zip(whole, before, strict=True)])
-    area = shapely.difference(whole, covers)
+    area = _overlaid(shapely.difference, whole, covers)
     some = ~shapely.is_empty(area)
     left = [np.where(some, lines, shapely.MultiLineString()) for lines in (edges, creases)]
-    seen = [shapely.difference(lines, np.where(some, covers, shapely.MultiPolygon())) for lines in left]
+    seen = [_overlaid(shapely.difference, lines, np.where(some, covers, shapely.MultiPolygon())) for lines in left]
     shining = np.array([plate.shines for plate in plates])
-    hidden = shapely.intersection(np.where(shining, edges, shapely.MultiLineString()), covers)
+    hidden = _overlaid(shapely.intersection, np.where(shining, edges, shapely.MultiLineString()), covers)
     return tuple(
         Seen(whole[k], area[k], one.printed, seen[0][k], seen[1][k], hidden[k]) for k, one in enumerate(projected)
     )
@@ -123,7 +126,17 @@ def _joined(shape: "BaseGeometry", covers: list["BaseGeometry"]) -> "BaseGeometr
     if len(covers) < 2:
         return covers[0] if covers else shapely.MultiPolygon()
     all_over = np.flatnonzero(shapely.covers(covers, shape))
-    return covers[all_over[0]] if len(all_over) else shapely.union_all(covers)
+    return covers[all_over[0]] if len(all_over) else _overlaid(shapely.union_all, covers)
+
+
+def _overlaid(overlay: Callable[..., Any], *shapes: Any) -> Any:
+    """An overlay of shapes; where edges all but coincide and it fails, taken on a grid, on which it cannot."""
+    import shapely
+
+    try:
+        return overlay(*shapes)
+    except shapely.errors.GEOSException:
+        return overlay(*shapes, grid_size=GRAIN)
 
 
 def _placed(shapes: list["BaseGeometry"], motions: FloatArray) -> Any:
@@ -150,7 +163,7 @@ def _covers(shapes: Any, depths: FloatArray) -> Iterator[tuple[int, "BaseGeometr
     found = shapes[front]
     cut = np.flatnonzero((nearer > 0).any(axis=1) & (nearer <= 0).any(axis=1))
     halves = [shapely.Polygon(_above(corners[k], nearer[k])) for k in cut]
-    found[cut] = shapely.intersection(found[cut], np.array(halves, dtype=object))
+    found[cut] = _overlaid(shapely.intersection, found[cut], np.array(halves, dtype=object))
     for k in np.flatnonzero((nearer > 0).any(axis=1)):
         yield int(back[k]), found[k]
 
