@@ -130,13 +130,17 @@ def _joined(shape: "BaseGeometry", covers: list["BaseGeometry"]) -> "BaseGeometr
 
 
 def _overlaid(overlay: Callable[..., Any], *shapes: Any) -> Any:
-    """An overlay of shapes; where edges all but coincide and it fails, taken on a grid, on which it cannot."""
+    """An overlay of shapes; where it fails, taken of what is valid of them, on a grid.
+
+    Where edges all but coincide an earlier overlay may give polygons within polygons, on which later ones fail.
+    """
     import shapely
 
     try:
         return overlay(*shapes)
     except shapely.errors.GEOSException:
-        return overlay(*shapes, grid_size=GRAIN)
+        valid = [shapely.make_valid(shape, method="structure", keep_collapsed=False) for shape in shapes]
+        return overlay(*valid, grid_size=GRAIN)
 
 
 def _placed(shapes: list["BaseGeometry"], motions: FloatArray) -> Any:
