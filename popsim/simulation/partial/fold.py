@@ -95,7 +95,7 @@ def fold_partial(structure: Structure, crossings: Crossings, theta: FloatArray, 
     rig.flatten()
     found[-1] = rig.poses()
     sweep = Sweep(structure.design, theta, np.array(found), np.zeros((len(theta), 0)), complete=True)
-    crossing, crossed = crossings.deepest(sweep, list(structure.turns.values()))
+    crossing, crossed = crossings.deepest(sweep)
     gap = loop_gaps(sweep, rig.forest.loops).largest
     names = tuple(rig.turning[k].hinge.id for k in led)
     return PartialFold(sweep, names, gap, flatness(sweep).value, crossing, crossed)

@@ -12,7 +12,8 @@ def led_joints(matrix: FloatArray, fold: int | None) -> IntArray:
     """Joints that fix all free motions if they are held: `fold`, and as few others as need be; shape (f,).
 
     The rest are independent of each other, so that the loops decide over them. Something is led in any case:
-    loops that only just do not close leave nothing free, and hands would try nevertheless.
+    loops that only just do not close leave nothing free, and hands would try nevertheless. A loop that holds
+    nothing together, as two halves of a patch on one line, leaves all free: what is left of it is rounding.
 
     Parameters
     ----------
@@ -29,7 +30,7 @@ def led_joints(matrix: FloatArray, fold: int | None) -> IntArray:
         return np.arange(count)
     corner, order = qr(matrix[:, others], mode="r", pivoting=True)
     size = np.abs(np.diag(corner))
-    rank = int((size > FREE * size[0]).sum())
+    rank = int((size > FREE).sum())
     if fold is None:
         return np.sort(order[min(rank, count - 1) :])
     return np.sort(np.append(others[order[rank:]], fold))
