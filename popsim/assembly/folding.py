@@ -14,7 +14,10 @@ from popsim.simulation.partial import Crossings, Structure, fold_partial
 
 OPENED, STEP = 178.0, 6.0
 """Degrees; the fold angle from which what is half made is folded, and the steps in which that is recorded. Fully
-open many creases are flat, and could go either way."""
+open many creases are flat, and could go either way: what was recorded there is left out."""
+
+LATER = 0.5
+"""Degrees by which the first angle may be wider."""
 
 
 Point = tuple[float, float, float]
@@ -26,7 +29,8 @@ class Folding:
     def __init__(self, kit: Kit) -> None:
         self._kit = kit
         wanted = np.radians([*np.arange(OPENED, 0.0, -STEP), 0.0])
-        self._frames = np.unique([kit.reference.frame(theta) for theta in wanted])
+        frames = np.unique([kit.reference.frame(theta) for theta in wanted])
+        self._frames = frames[np.degrees(kit.reference.theta[frames]) < OPENED + LATER]
 
     def folded(self, parts: Collection[str], joints: Collection[str]) -> Folded:
         """How parts that hang together by some joints and creases fold; all by their ids."""

@@ -240,6 +240,18 @@ def test_what_is_wrong_by_less_than_paper_gives_is_pressed_flat_in_the_end() -> 
         assert last.feasible == folds
 
 
+def test_a_tube_that_misses_by_what_paper_gives_is_not_led_from_where_it_lies_open() -> None:
+    """Recorded in steps of 4 degrees, the angle nearest to 178 is 180: there its tops could go up or down."""
+    design = mismatched_box(0.1)
+    plan = plan_assembly(lay_out(design), fold_design(design, 45).sweep)
+    tube = next(
+        step.evidence.folded
+        for step in plan.steps
+        if step.evidence is not None and step.evidence.folded is not None and step.evidence.folded.led == 2
+    )
+    assert tube.refusal is None
+
+
 def test_loops_that_decide_over_nothing_leave_all_to_the_hands() -> None:
     """Halves of a patch, hinged on one line, close a loop whose matrix is rounding; that must not count."""
     rounding = 1e-15 * np.random.default_rng(0).normal(size=(6, 5))
