@@ -115,8 +115,8 @@ THROUGH = "{one} through {other}"
 
 FOLDS_FLAT = (
     "what hangs together after a step is folded on its own in MuJoCo, with its own joints only: one hinge is led "
-    "by hand for each free motion it has, to the angles of the finished pop-up as that closes; the rest follows; in "
-    "the end all is let go and pressed flat"
+    "by hand for each free motion it has, to the angles of the finished pop-up as that closes; the rest follows; "
+    "in the end all is let go and pressed flat"
 )
 """What a report means by folding flat in the middle of the assembly."""
 
