@@ -16,10 +16,16 @@ if TYPE_CHECKING:
 POINTS = 12
 """Points of an arrow at most."""
 
+FROM = 25.0
+"""mm beyond its crease from which the arrow of a flap comes that is slid in where all else keeps still."""
+
 
 def tracks(step: Step, layout: Layout, view: "View") -> tuple[FloatArray, ...]:
-    """Lines in plane coordinates, each (n, 2), of what moves: glued flaps or their places, else one part."""
-    found = list(_of_flaps(step, layout)) or list(_of_parts(step, layout))
+    """Lines in plane coordinates, each (n, 2), of what moves: glued flaps or their places, else one part.
+
+    Where nothing moves but flaps that are tucked between layers, these come from beyond their creases.
+    """
+    found = list(_of_flaps(step, layout)) or list(_of_parts(step, layout)) or list(_of_tucked(step, layout))
     return tuple(view.to_plane(track)[:, :2] for track in found)
 
 
@@ -42,6 +48,19 @@ def _of_parts(step: Step, layout: Layout) -> Iterator[FloatArray]:
         ways.append(_track(poses, part.plane.lift(np.array(part.polygon.centroid.coords[0]))))
     if ways:
         yield max(ways, key=lambda way: round(float(np.linalg.norm(way[-1] - way[0])), 6))
+
+
+def _of_tucked(step: Step, layout: Layout) -> Iterator[FloatArray]:
+    if step.before is None:
+        return
+    for flap in layout.flaps:
+        if flap_key(flap) in step.flaps:
+            place = layout.parts[flap.target].plane.lift(np.array(flap.landing.centroid.coords[0]))
+            start, end = layout.parts[flap.carrier].plane.lift(flap.line)
+            along = (end - start) / np.linalg.norm(end - start)
+            foot = start + (place - start) @ along * along
+            way = np.array([foot - FROM * (place - foot) / np.linalg.norm(place - foot), place])
+            yield transform(step.before.poses[flap.target], way)
 
 
 def _track(poses: FloatArray, point: FloatArray) -> FloatArray:

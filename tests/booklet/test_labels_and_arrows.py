@@ -1,18 +1,24 @@
 """Labels keep apart, hatching is even, arrows end where the motion ends."""
 
+from dataclasses import replace
 from itertools import combinations
 
 import numpy as np
 import pytest
 import shapely
+from built_pop_up import Built
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from popsim.assembly import flap_key
 from popsim.booklet.arrows import HEAD, SHORTEST, arrow, sparse
 from popsim.booklet.hatch import hatched
 from popsim.booklet.inks import Ink
 from popsim.booklet.labels import Labels, Wish
+from popsim.booklet.motions import tracks
+from popsim.geometry.rigid import transform
 from popsim.layout.sheet import Text, text_width
+from popsim.rendering.view import View
 
 WINDOW = shapely.box(0, 0, 80, 60)
 
@@ -75,3 +81,22 @@ def test_arrows_beside_each_other_become_one() -> None:
     track = np.array([[0.0, 0.0], [0.0, 30.0]])
     near, far = (track + np.array([offset, 0.0]) for offset in (3.0, 40.0))
     assert len(sparse([track, near, far])) == 2
+
+
+def test_what_is_tucked_in_comes_from_beyond_its_crease(built: Built) -> None:
+    layout = built.plan.layout
+    step = next(step for step in built.plan.steps if len(step.flaps) == 1)
+    flap = next(flap for flap in layout.flaps if flap_key(flap) in step.flaps)
+    view = View(np.array([0.3, 0.5, 0.8]), np.array([0.0, 0.0, 1.0]), np.zeros(3), np.zeros(2), np.ones(2), 1.0)
+    (track,) = tracks(replace(step, motion={}), layout, view)
+    target = layout.parts[flap.target]
+
+    def seen(flat: np.ndarray) -> np.ndarray:
+        return view.to_plane(transform(step.before.poses[flap.target], target.plane.lift(flat)))[:, :2]
+
+    place = np.array(flap.landing.centroid.coords)
+    crease = seen(target.plane.flat(layout.parts[flap.carrier].plane.lift(flap.line)))
+    assert track[-1] == pytest.approx(seen(place)[0])
+    assert shapely.LineString(track).distance(shapely.LineString(crease)) < 1e-6
+    sides = [np.linalg.det([crease[1] - crease[0], end - crease[0]]) for end in track]
+    assert sides[0] * sides[1] < 0
