@@ -46,25 +46,30 @@ def _triangles(points: FloatArray, lengths: list[int], tolerance: float) -> list
 
 
 def _merged(points: FloatArray, triangles: list[Ring], tolerance: float) -> list[Ring]:
-    """Join neighbours over their common edge as long as the union is convex."""
-    pieces = [list(triangle) for triangle in triangles]
-    merged = True
-    while merged:
-        merged = False
-        owner = {edge: index for index, piece in enumerate(pieces) for edge in _edges(piece)}
-        for index, piece in enumerate(pieces):
+    """Join neighbours over their common edge as long as the union is convex; each two are tried once."""
+    pieces = dict(enumerate(triangles))
+    refused: set[tuple[int, int, int]] = set()
+
+    def joined() -> tuple[int, int, Ring] | None:
+        owner = {edge: name for name, piece in pieces.items() for edge in _edges(piece)}
+        for name, piece in pieces.items():
             for start, end in _edges(piece):
                 other = owner.get((end, start))
-                if other is None or other == index:
+                if other is None or other == name or (name, other, start) in refused:
                     continue
                 union = _join(piece, pieces[other], (start, end))
                 if len(set(union)) == len(union) and _convex(points, union, tolerance):
-                    pieces = [p for k, p in enumerate(pieces) if k not in (index, other)] + [union]
-                    merged = True
-                    break
-            if merged:
-                break
-    return pieces
+                    return name, other, union
+                refused.add((name, other, start))
+        return None
+
+    following = len(triangles)
+    while (found := joined()) is not None:
+        first, second, union = found
+        del pieces[first], pieces[second]
+        pieces[following] = union
+        following += 1
+    return list(pieces.values())
 
 
 def _join(first: Ring, second: Ring, edge: tuple[int, int]) -> Ring:
