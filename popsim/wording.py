@@ -62,7 +62,7 @@ FOLDED = "fold it over and glue {what}"
 CLOSED = "open the paper as shown, glue {what} and fold all flat"
 TUCKED = "tuck in with tweezers and glue {what}"
 HELD = "open the paper as shown, glue {what} and press with two fingers"
-BROUGHT = "open the paper as shown, glue {what} and fold all flat"
+BROUGHT = CLOSED
 UNPROVED = "bending the paper gently (no way was found in simulation: {reason}), glue {what}"
 """One step each, by the way in which it is done; the first letter is made a capital where nothing comes before."""
 

@@ -5,7 +5,7 @@ import numpy as np
 from popsim.fitting.masks import parts
 from popsim.geometry.arrays import BoolArray, FloatArray
 from popsim.mechanisms import Plate
-from popsim.rendering.set_back import SET_BACK, Face, is_leg
+from popsim.rendering.set_back import SET_BACK, Face, legs_among
 
 ACROSS = 0.99
 """|cos| of a normal to x above which a plate stands across the fold: there it hangs between the sides of its
@@ -27,20 +27,16 @@ def legs(plate: Plate, behind: FloatArray, shown: BoolArray, inside: BoolArray) 
     shown, inside:
         Where that is near enough to show, and what the face covers, shape (n, m).
     """
-    found = np.zeros(shown.shape, dtype=bool)
+    nothing = np.zeros(shown.shape, dtype=bool)
     if not plate.principal or abs(plate.outward[0]) < ACROSS:
-        return found
+        return nothing
     deep = shown & (behind > SET_BACK * plate.behind)
     if not deep.any():
-        return found
+        return nothing
     depth = np.where(shown, behind, np.inf).T[::-1]
-    face = _face(inside.T[::-1])
-    count, labels = parts(deep)
-    for label in range(1, count):
-        part = labels == label
-        if np.count_nonzero(part) >= LEAST and is_leg(part.T[::-1], depth, face):
-            found |= part
-    return found
+    labels = parts(deep)[1].T[::-1]
+    found = legs_among(labels, depth, _face(inside.T[::-1]), lambda part: bool(part.sum() >= LEAST))
+    return np.ascontiguousarray(found[::-1].T)
 
 
 def _face(inside: BoolArray) -> Face:

@@ -6,7 +6,7 @@ from popsim.geometry.arrays import BoolArray
 from popsim.patches.piece import Piece
 from popsim.patches.sight import Sight
 from popsim.rendering.segmentation import label_map
-from popsim.rendering.set_back import SET_BACK, STEP, Face, is_leg
+from popsim.rendering.set_back import SET_BACK, STEP, Face, legs_among
 
 LEAST = 2.0
 """mm^2; smaller parts belong to their neighbours."""
@@ -14,18 +14,12 @@ LEAST = 2.0
 
 def legs(sight: Sight, piece: Piece) -> BoolArray:
     """Pixels that show parts standing back beneath nearer ones, shape (rows, columns)."""
-    found = np.zeros(sight.mask.shape, dtype=bool)
     back = SET_BACK * piece.plate.behind
     if not (sight.mask & (sight.depth > back)).any():
-        return found
+        return np.zeros(sight.mask.shape, dtype=bool)
     depth = np.where(sight.mask, sight.depth, np.inf)
     labels = label_map(sight.mask, [(sight.depth, STEP)], LEAST / sight.grid.pixel**2)
-    face = _face(sight, piece)
-    for label in range(1, int(labels.max(initial=0)) + 1):
-        part = labels == label
-        if np.median(depth[part]) > back and is_leg(part, depth, face):
-            found |= part
-    return found
+    return legs_among(labels, depth, _face(sight, piece), lambda part: bool(np.median(depth[part]) > back))
 
 
 def _face(sight: Sight, piece: Piece) -> Face:

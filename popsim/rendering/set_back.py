@@ -4,9 +4,11 @@ Such a plate shows what lies near its plane, and what goes on from there without
 overhang of it and a step behind would dangle from it as legs do, in front of where the model has them.
 """
 
-from typing import NamedTuple
+from collections.abc import Callable
+from typing import Any, NamedTuple
 
 import numpy as np
+import numpy.typing as npt
 
 from popsim.geometry.arrays import BoolArray, FloatArray
 
@@ -36,19 +38,28 @@ class Face(NamedTuple):
     bottom: float
 
 
-def is_leg(part: BoolArray, depth: FloatArray, face: Face) -> bool:
-    """Whether a part of what a plate shows stands back beneath something nearer, and is no wall.
+def legs_among(
+    labels: npt.NDArray[np.signedinteger[Any]], depth: FloatArray, face: Face, counts: Callable[[BoolArray], bool]
+) -> BoolArray:
+    """Pixels of those parts of what a plate shows that stand back beneath something nearer, and are no walls.
 
     Parameters
     ----------
-    part:
-        Its pixels, the upper row first, shape (rows, columns).
+    labels:
+        Parts by number, 0 for the rest, the upper row first, shape (rows, columns).
     depth:
         How deep behind the plate the model lies, mm, inf where it does not show, shape (rows, columns).
     face:
         Of the plate.
+    counts:
+        Whether a part, as its pixels, is to be considered at all.
     """
-    return _overhung(part, depth) and not _wall(part, face)
+    found = np.zeros(labels.shape, dtype=bool)
+    for label in range(1, int(labels.max(initial=0)) + 1):
+        part = labels == label
+        if counts(part) and _overhung(part, depth) and not _wall(part, face):
+            found |= part
+    return found
 
 
 def _overhung(part: BoolArray, depth: FloatArray) -> bool:
