@@ -4,7 +4,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from popsim.patches.clean import common, union
+from popsim.patches.clean import common, polygons, union
 from popsim.patches.sight import Grid
 
 if TYPE_CHECKING:
@@ -19,15 +19,23 @@ WIDTH = 3.0
 STEP = 1.0
 """mm between the places that a way round may take."""
 
+FACING = 0.1
+"""mm; what is farther by no more than this is as near as the nearest."""
+
 EDGE = 4.0
 """Price of a mm along the edge of a room, where only part of a bridge has paper; a mm amid it costs 1."""
 
 
 def straight(start: "Polygon", end: "Polygon", piece: "Piece") -> "BaseGeometry":
-    """A bridge along the shortest line between two shapes; in parts where that leaves the room of the piece."""
+    """A bridge along the shortest line between two shapes; in parts where that leaves the room of the piece.
+
+    Where two sides face each other it stands amid them: at their end it would have paper on half of its width only.
+    """
     from shapely import shortest_line
 
-    return common(shortest_line(start, end).buffer(WIDTH / 2, cap_style="square"), piece.room)
+    facing = polygons(common(end, start.buffer(start.distance(end) + FACING)))
+    line = shortest_line(start, facing[0].centroid if facing else end)
+    return common(line.buffer(WIDTH / 2, cap_style="square"), piece.room)
 
 
 def way_round(start: "Polygon", end: "Polygon", piece: "Piece") -> "BaseGeometry":

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from shapely.geometry import LineString, Point, Polygon, box
 
@@ -160,6 +160,7 @@ def test_near_islands_are_joined_and_far_ones_dropped_with_a_note():
 
 
 @given(side=st.floats(4.5, 30), gap=st.floats(0.5, 50))
+@example(side=5.0, gap=4.0)
 @settings(max_examples=30, deadline=None)
 def test_an_island_is_joined_over_what_its_size_is_worth(side, gap):
     island = box(40 + gap, 5, 40 + gap + side, 5 + side)
