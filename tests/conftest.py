@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 from hypothesis import settings
 
-# The same cases in every run, so that a commit is green or not; `HYPOTHESIS_PROFILE=explore` draws others each time.
+# The same cases in every run, so that a commit is green or not; `HYPOTHESIS_PROFILE=explore` draws others.
 settings.register_profile("same", derandomize=True, deadline=None)
 settings.register_profile("explore", derandomize=False, deadline=None)
 settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "same"))

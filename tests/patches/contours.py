@@ -39,7 +39,8 @@ def departures(mechanisms, scene, boxes, settings, monkeypatch, factors=AS_THEY_
 
     Nothing is measured beside edges of faces and rooms and beside hinges (outlines go to them), where paper or
     gaps are too narrow to cut (strips are made wider, to either side by up to half of what can be cut), at legs,
-    where two overhangs would cross, at slits, bridges, and islands left out.
+    where two overhangs would cross, at slits, bridges, and islands left out. What a rule leaves too narrow counts
+    as what is so in the model: the rest of an overhang, a gap between strips that were made wider.
     """
     changed = _changes(monkeypatch)
     found = cutting.cut(mechanisms, scene, boxes, settings, factors)
@@ -86,7 +87,8 @@ def _departure(piece, outline, mechanisms, scene, settings, changed):
         dents = np.where(grid.covered(piece.recesses), REACH, np.nan)
         mask |= shows(scene, grid, piece.box, -REACH, dents)
     shape = mask_polygon(mask, grid)
-    narrow = shape.symmetric_difference(cuttable(shape, piece.room, settings)).union(_thin(shape, settings))
+    narrow = shape.symmetric_difference(cuttable(shape, piece.room, settings))
+    narrow = shapely.union_all([narrow, _thin(shape, settings), _thin(piece.shape, settings)])
     coarse = Grid.over(piece.plane, piece.room.bounds, settings.pixel)
     sight = look(scene, coarse, piece.box, -REACH, depths(piece, coarse, piece.room), bary=False)
     upright = piece.stands or piece.plate.lies

@@ -6,10 +6,14 @@ from contours import departures
 from test_registration import grown, standing
 
 from popsim.design import Card
+from popsim.fitting import FitSettings
 from popsim.mechanisms import card_pair
 from popsim.mechanisms.box_fold import BoxFold
 from popsim.mesh.loading import load_model
 from popsim.patches import PatchSettings
+from popsim.pipeline.abstract import abstract
+from popsim.pipeline.prepare import Stance, prepare
+from popsim.pipeline.territory import territories
 from popsim.rendering.ray_scene import RayScene
 
 ALLOWED = 0.5
@@ -23,6 +27,11 @@ MODELS = [
     ("church/building_church_red.obj", 1),
     ("house_garage/house_3.obj", 2),
     ("radio_tower/radio_tower.obj", 2),
+    ("sail_ship/q_sail_ship.glb", 1),
+    ("ambulance_missing_tex/ambulance.obj", 1),
+    ("cruise_ship/q_cruise_ship.obj", 1),
+    ("toy_truck_yellow/vehicle-truck-yellow.glb", 1),
+    ("suv_hummer/suv.obj", 1),
 ]
 """And which of their axes points up."""
 
@@ -47,6 +56,19 @@ def test_outlines_lie_within_half_a_millimetre_of_the_contours(shared_meshes, mo
     model = standing(load_model(shared_meshes / name).surface, up=up)
     for distances in measured(model, monkeypatch):
         assert len(distances) > 100
+        assert distances.max() < ALLOWED
+
+
+@pytest.mark.parametrize("name", ["taxi/car_taxi.gltf", "radio_tower/radio_tower.obj", "suv_hummer/suv.obj"])
+def test_so_do_those_of_whole_designs(shared_meshes, monkeypatch, name):
+    prepared = prepare(shared_meshes / name, Stance(), 150.0, 0)
+    fit = abstract(prepared, FitSettings(), 0)
+    boxes = territories(fit.mechanisms, prepared.bounds)
+    found = departures(fit.mechanisms, prepared.scene, boxes, PatchSettings(), monkeypatch, fit.depths)
+    assert len(found) > 5
+    for way in ("outward", "back"):
+        distances = np.concatenate([getattr(each, way) for each in found])
+        assert len(distances) > 300
         assert distances.max() < ALLOWED
 
 
