@@ -29,7 +29,7 @@ EDGE = 4.0
 def straight(start: "Polygon", end: "Polygon", piece: "Piece") -> "BaseGeometry":
     """A bridge along the shortest line between two shapes; in parts where that leaves the room of the piece.
 
-    Where two sides face each other it stands amid them: at their end it would have paper on half of its width only.
+    Where two sides face each other it stands amid them: at their end half of its width would have no paper.
     """
     from shapely import shortest_line
 
