@@ -46,6 +46,9 @@ THINNEST_STRIP = 2.0
 NEAR_EDGE = 1.5
 """mm; what ends so near to an edge or a hinge goes on to it: a gap beside it cannot be cut either."""
 
+HINGE_SHARE, HINGE_LENGTH = 0.25, 6.0
+"""A hinge holds where it has this share of its line, and this many mm of it (or all of a shorter line)."""
+
 CreaseAdvice = Literal["fold", "score", "perforate"]
 
 _RANGES = {

@@ -56,7 +56,13 @@ def lies_beyond(plate: Plate) -> bool:
 def mirrored(plate: Plate) -> Plate:
     """A plate on the other side of the fold."""
     assert plate.room is not None  # plates give themselves room
-    return replace(plate, outline=plate.outline * ACROSS, room=plate.room * ACROSS, outward=plate.outward * ACROSS)
+    return replace(
+        plate,
+        outline=plate.outline * ACROSS,
+        room=plate.room * ACROSS,
+        outward=plate.outward * ACROSS,
+        hinges=plate.hinges * ACROSS,
+    )
 
 
 @lru_cache(maxsize=8192)
@@ -66,7 +72,8 @@ def shape_of(plate: Plate, *, across: bool) -> bytes:
     turn = ACROSS if across else np.ones(3)
     rings = [_ring(turn * ring) for ring in (plate.outline, plate.room)]
     rest = np.round([*(turn * plate.outward), plate.behind, plate.beside, plate.principal], DIGITS) + 0.0
-    return b"".join([*rings, rest.tobytes()])
+    hinges = np.round(turn * plate.hinges, DIGITS) + 0.0
+    return b"".join([*rings, rest.tobytes(), hinges.tobytes()])
 
 
 def _ring(points: FloatArray) -> bytes:

@@ -94,5 +94,7 @@ class Climber:
         return next((more for _, more in ranked if more.holds()), None)
 
     def _snapped(self, position: float, axis: int) -> float:
-        """A position on an axis, or the plane of the model near it."""
-        return self.grower.planes.snap(position, axis, NEAR * self.grower.volume.cell)
+        """A position on an axis, or the plane of the model near it; never beyond the model."""
+        volume = self.grower.volume
+        low, high = volume.reach(axis)
+        return min(max(self.grower.planes.snap(position, axis, NEAR * volume.cell), low), high)

@@ -50,6 +50,10 @@ class Slant:
         """Coordinates s and t of points (n, 3); shape (n, 2)."""
         return np.asarray(points[:, ACROSS[self.axis]])
 
+    def lines(self, ends: FloatArray) -> FloatArray:
+        """Coordinates s and t of the ends of lines (k, 2, 3); shape (k, 2, 2)."""
+        return np.asarray(ends[..., ACROSS[self.axis]])
+
     def along(self, s: FloatArray, t: FloatArray) -> FloatArray:
         """Coordinate along the axis; any shapes that broadcast."""
         return np.asarray(self.level + self.slopes[0] * s + self.slopes[1] * t)

@@ -9,6 +9,7 @@ from popsim.fitting.fronts import Fronts
 from popsim.fitting.legs import legs
 from popsim.fitting.masks import FAR, FloatImage, extent, grown, parts
 from popsim.fitting.slant import ACROSS, Slant
+from popsim.fitting.strips import add_strips
 from popsim.geometry.arrays import BoolArray, FloatArray
 from popsim.mechanisms import Plate
 from popsim.stock import NEAR_EDGE, THINNEST_STRIP
@@ -52,7 +53,7 @@ class Stencil:
 
         Within the face what lies no deeper shows, and what that encloses; beyond the face what lies near, but not
         what hangs in the air there or is but a seam along the face; and no legs. Patches inside show what both
-        sides hide.
+        sides hide. Strips reach for hinges that hold nowhere else.
         """
         assert plate.room is not None  # plates give themselves room
         slant = Slant.of(plate.outward, plate.outline[0])
@@ -69,6 +70,8 @@ class Stencil:
             shown = shown | (_enclosed(shown | grown(beyond) | _walls(plate, slant, (s, t), inside)) & dents)
         if plate.principal and np.count_nonzero(shown) < SPARSE * np.count_nonzero(inside):
             shown = inside
+        elif plate.principal:
+            add_strips(shown, slant.lines(plate.hinges), low, grain, inside)
         return Stencil(slant, low, grain, shown | (_attached(shown, inside, beyond, fronts.pixel) & ~inside))
 
     @property

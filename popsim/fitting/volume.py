@@ -49,6 +49,11 @@ class Volume:
         """Position of a cell border along x, mm."""
         return self.x0 + index * self.cell
 
+    def reach(self, axis: int) -> tuple[float, float]:
+        """Where the cells begin and end along x (axis 0), away from the fold (1) and upward (2), mm."""
+        low = self.x0 if axis == 0 else 0.0
+        return low, low + self.shape[axis] * self.cell
+
     def closed(self, radius: int) -> "Volume":
         """Return the volume with gaps of up to twice `radius` cells filled: what a lattice encloses is solid."""
         from scipy.ndimage import distance_transform_edt

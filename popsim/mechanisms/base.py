@@ -34,6 +34,8 @@ BESIDE = 0.35
 BESIDE_OF_FACE = 0.3
 """and to at most this share of the side of a square as large as the face."""
 
+NO_HINGES = np.zeros((0, 2, 3))
+
 LEVEL = 0.5
 """Plates whose normal rises by as much lie rather than stand upright."""
 
@@ -60,6 +62,8 @@ class Plate:
         How deep behind the face, mm, the model still shows on it.
     beside:
         The same in its room beyond the face.
+    hinges:
+        Ends of the lines at which it is hinged, shape (k, 2, 3); none until it is looked at with its mechanism.
     """
 
     role: str
@@ -69,12 +73,14 @@ class Plate:
     room: FloatArray | None = None
     behind: float = np.inf
     beside: float = np.nan
+    hinges: FloatArray = field(default_factory=NO_HINGES.copy)
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "outline", locked(self.outline, (None, 3), f"outline of {self.role}"))
         room = self.outline if self.room is None else self.room
         object.__setattr__(self, "room", locked(room, (None, 3), f"room of {self.role}"))
         object.__setattr__(self, "outward", locked(self.outward, (3,), f"outward of {self.role}"))
+        object.__setattr__(self, "hinges", locked(self.hinges, (None, 2, 3), f"hinges of {self.role}"))
         if np.isnan(self.beside):
             object.__setattr__(self, "beside", min(BESIDE * self.behind, BESIDE_OF_FACE * sqrt(self.area)))
 

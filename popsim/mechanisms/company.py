@@ -58,8 +58,12 @@ def plates_together(mechanisms: Sequence[Mechanism], depths: Depths = AS_THEY_AR
 
 @lru_cache(maxsize=1024)
 def plates_of(mechanism: Mechanism) -> tuple[Plate, ...]:
-    """The plates of a mechanism; searches ask for the same ones again and again."""
-    return mechanism.plates()
+    """The plates of a mechanism with their hinges; searches ask for the same ones again and again."""
+    lines: dict[str, list[FloatArray]] = {}
+    for joint in mechanism.joints():
+        for role in joint.roles:
+            lines.setdefault(role, []).append(joint.axis)
+    return tuple(replace(plate, hinges=np.array(lines[plate.role])) for plate in mechanism.plates())
 
 
 def _subtree_ranges(mechanisms: Sequence[Mechanism]) -> dict[str, tuple[float, float]]:

@@ -3,7 +3,7 @@
 from dataclasses import dataclass, field
 
 from popsim.errors import InputError
-from popsim.stock import NEAR_EDGE, THINNEST_STRIP
+from popsim.stock import HINGE_LENGTH, HINGE_SHARE, NEAR_EDGE, THINNEST_STRIP
 
 MM_PER_INCH = 25.4
 
@@ -47,8 +47,8 @@ class PatchSettings:
     thinnest: float = THINNEST_STRIP
     snap: float = NEAR_EDGE
     seam: float = 2.5
-    least_share: float = 0.25
-    least_length: float = 6.0
+    least_share: float = HINGE_SHARE
+    least_length: float = HINGE_LENGTH
     bleed: float = 1.5
     base: str = "outline"
     reverse: str | None = None

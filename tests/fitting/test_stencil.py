@@ -7,8 +7,10 @@ from fitting_surfaces import block, surface
 from popsim.design import Card
 from popsim.fitting.fronts import Fronts
 from popsim.fitting.stencil import Stencil, within
-from popsim.mechanisms import card_pair
+from popsim.mechanisms import card_pair, plates_of
 from popsim.mechanisms.box_fold import BoxFold
+from popsim.patches import PatchSettings
+from popsim.patches.cut import cut
 from popsim.rendering.ray_scene import RayScene
 
 BOUNDS = np.array([[-50.0, -30.0, 0.0], [50.0, 30.0, 60.0]])
@@ -16,9 +18,13 @@ BOX = BoxFold.plain("M1", card_pair(Card(x=(-300, 300), depth=300)), 30.0, 40.0,
 BODY = block((-50, -30, 0), (50, 30, 40))
 
 
+def stencil_of(role, *parts):
+    plate = next(plate for plate in plates_of(BOX) if plate.role == role)
+    return Stencil.of(plate, Fronts.of(RayScene(surface(*parts)), BOUNDS, 1.0))
+
+
 def shows(role, points, *parts):
-    plate = next(plate for plate in BOX.plates() if plate.role == role)
-    stencil = Stencil.of(plate, Fronts.of(RayScene(surface(*parts)), BOUNDS, 1.0))
+    stencil = stencil_of(role, *parts)
     cells = (stencil.slant.seen(np.array(points, float)) - stencil.low) / stencil.grain
     return [bool(stencil.mask[x, y]) for x, y in np.floor(cells).astype(int)]
 
@@ -53,6 +59,24 @@ def test_a_doorway_is_a_dent_of_its_wall_and_a_gap_between_two_walls_is_none():
 def test_what_is_all_but_empty_stays_whole():
     corner = block((-50, -30, 0), (-47, 30, 40))
     assert shows("L", [(-48, 30, 20), (0, 30, 20)], corner) == [True, True]
+
+
+TABLE = [block((-50, -30, 30), (50, 30, 40)), block((-5, -5, 0), (5, 5, 30))]
+
+
+def test_a_strip_reaches_for_a_hinge_where_the_model_does_not():
+    """A fourth of the line holds it, beside what reaches it already."""
+    foot = [(x, 30, 15) for x in (-40, -18, -9, 0, 9, 18)]
+    assert shows("L", foot, *TABLE) == [False, False, True, True, True, False]
+    assert shows("L", [(-40, 30, 15)], *TABLE, block((0, 20, 0), (30, 30, 30))) == [False]
+
+
+def test_strips_are_those_that_patches_have():
+    scene = RayScene(surface(*TABLE))
+    cuts = cut([BOX], scene, {"M1": BOUNDS}, PatchSettings())
+    for role in ("L", "R", "F_L", "B_R", "T_G"):
+        mask = stencil_of(role, *TABLE).mask
+        assert mask.sum() == pytest.approx(cuts.outlines[f"M1.{role}"].area, rel=0.03)
 
 
 def test_a_backbone_shows_what_either_side_hides_unless_one_sees_through():

@@ -1,0 +1,67 @@
+"""Strips of a face that will reach for its hinges where the model does not (see :mod:`popsim.patches.hold`)."""
+
+import numpy as np
+
+from popsim.geometry.arrays import BoolArray, FloatArray, IntArray
+from popsim.stock import HINGE_LENGTH, HINGE_SHARE, NEAR_EDGE
+
+STRAIGHT = 1e-6
+"""mm; lines that leave the rows and columns of the cells by more are left alone."""
+
+
+def add_strips(shown: BoolArray, lines: FloatArray, low: FloatArray, grain: FloatArray, inside: BoolArray) -> None:
+    """Add to what a face shows the strips without which its hinges would not hold.
+
+    Each line along an edge of the face needs a share of its length. What shows nearest to it is joined first, and
+    of what is equally near that beside what reaches it already.
+
+    Parameters
+    ----------
+    shown:
+        Cells in which the face shows the model, shape (n, m); changed.
+    lines:
+        Ends of hinges in the coordinates of the cells, mm, shape (k, 2, 2).
+    low, grain:
+        Corner where the cells start and their sides, mm, each of shape (2,).
+    inside:
+        Cells in the face, shape (n, m).
+    """
+    for (s0, t0), (s1, t1) in ((lines - low) / grain).tolist():
+        if abs(t1 - t0) * grain[1] < STRAIGHT:
+            _hold(shown, inside, (s0, s1), t0, float(grain[0]))
+        elif abs(s1 - s0) * grain[0] < STRAIGHT:
+            _hold(shown.T, inside.T, (t0, t1), s0, float(grain[1]))
+
+
+def _hold(shown: BoolArray, inside: BoolArray, span: tuple[float, float], at: float, side: float) -> None:
+    """Hold a line that runs along the first axis of the cells, between two of their borders, at a border."""
+    first, last = (max(round(end), 0) for end in sorted(span))
+    border = round(at)
+    if last <= first or not 0 < border < shown.shape[1]:
+        return
+    middle = (first + last) // 2
+    above, below = bool(inside[middle, border]), bool(inside[middle, border - 1])
+    if above == below:
+        return
+    cells = shown[first:last, border:] if above else shown[first:last, border - 1 :: -1]
+    needed = min(last - first, int(np.ceil(max(HINGE_LENGTH / side, HINGE_SHARE * (last - first)))))
+    deep = _depths(cells, max(round(NEAR_EDGE / side), 1))
+    if np.count_nonzero(deep == 0) >= needed:
+        return
+    nearest = np.lexsort((_aside(deep), deep))[:needed]
+    depth = deep[nearest]
+    nearest, depth = nearest[depth < cells.shape[1]], depth[depth < cells.shape[1]]
+    cells[nearest] |= np.arange(cells.shape[1]) < depth[:, None]
+
+
+def _depths(cells: BoolArray, seam: int) -> IntArray:
+    """How far from the line each place (n, depth) shows more than a seam along it; `depth` where nothing."""
+    beyond = cells[:, seam:]
+    found = np.where(beyond.any(axis=1), beyond.argmax(axis=1) + seam, np.where(cells[:, 0], 0, cells.shape[1]))
+    return np.where(found <= seam, 0, found)
+
+
+def _aside(deep: IntArray) -> IntArray:
+    """How many places each of some (n,) is from the nearest of least depth, shape (n,)."""
+    apart = np.abs(np.arange(len(deep))[:, None] - np.flatnonzero(deep == deep.min()))
+    return np.asarray(apart.min(axis=1))
