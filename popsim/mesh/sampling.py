@@ -86,7 +86,7 @@ def sample_surface(surface: Surface, count: int, *, seed: int) -> Samples:
     Parameters
     ----------
     surface:
-        In any frame; the result is in the same one.
+        In any frame; the result is in the same one. Faces without an area get no points.
     count:
         Wanted number of points. Surfaces with much detail below the spacing get more, double walls fewer.
     seed:
@@ -105,7 +105,7 @@ def sample_surface(surface: Surface, count: int, *, seed: int) -> Samples:
     # a plane with normal n meets |n_x| + |n_y| + |n_z| cells per cell face of its area
     spacing = float(np.sqrt((areas * np.abs(normals).sum(axis=1)).sum() / count))
     face, probes = _probes(surface.triangles, areas, spacing)
-    share = (areas / np.bincount(face, minlength=len(areas)))[face]
+    share = areas[face] / np.bincount(face)[face]
     origin = surface.bounds[0] - spacing * np.random.default_rng(seed).uniform(0.2, 0.8, 3)
     facing = _facing(normals)
     part = _parts(np.floor((probes - origin) / spacing).astype(np.int64), facing[face])
@@ -120,10 +120,11 @@ def sample_surface(surface: Surface, count: int, *, seed: int) -> Samples:
 
 
 def _probes(corners: FloatArray, areas: FloatArray, spacing: float) -> tuple[IntArray, FloatArray]:
-    """Return the face of each probe (p,) and the probes (p, 3): at least the centroid of every triangle."""
+    """Return the face of each probe (p,) and the probes (p, 3): at least one on every triangle with an area."""
     reach = _longest_edges(corners) * PROBES_PER_LENGTH / spacing
     counts = np.maximum(areas * PROBES_PER_CELL / spacing**2, reach)
     counts = np.maximum(np.ceil(counts * min(1.0, MAX_PROBES / counts.sum())).astype(np.int64), 1)
+    counts[areas == 0] = 0  # a cell that only such faces reach would have no centroid
     one, many = np.flatnonzero(counts == 1), np.flatnonzero(counts > 1)
     face, probes = _strata(corners[many], counts[many])
     return np.concatenate([one, many[face]]), np.concatenate([corners[one].mean(axis=1), probes])

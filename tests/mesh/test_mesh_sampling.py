@@ -100,6 +100,20 @@ def test_opposite_sides_of_a_thin_sheet_stay_apart() -> None:
     assert samples.area[samples.normals[:, 2] < -0.9].sum() == pytest.approx(1)
 
 
+def test_faces_without_an_area_change_nothing() -> None:
+    box = surface_of(trimesh.creation.box([1, 2, 3]))
+    far, on = np.full((1, 3, 3), 7.0), np.array([[[0, 0, 1.5], [0.2, 0, 1.5], [0.4, 0, 1.5]]])
+    line = np.array([[[4.0, 0, 0], [9, 0, 0], [5, 0, 0]]])
+    corners = np.concatenate([far, box.triangles[:5], on, line, box.triangles[5:]])
+    count = len(corners)
+    mixed = Surface(corners, np.zeros((count, 3, 2)), np.zeros(count, dtype=int), box.materials)
+    plain, samples = (sample_surface(surface, 500, seed=0) for surface in (box, mixed))
+    np.testing.assert_array_equal(samples.points, plain.points)
+    np.testing.assert_array_equal(samples.normals, plain.normals)
+    np.testing.assert_array_equal(samples.area, plain.area)
+    np.testing.assert_array_equal(corners[samples.face], box.triangles[plain.face])
+
+
 def test_bad_requests() -> None:
     surface = surface_of(trimesh.creation.box())
     with pytest.raises(GeometryError, match="at least 1"):
