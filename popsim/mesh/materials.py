@@ -14,6 +14,9 @@ from popsim.geometry.surface import Material
 PAPER_WHITE = np.ones(4)
 """Colour of a model that states none: nothing is printed."""
 
+_MADE_UP = ((100, 100),) * 3 + ((255, 255),)
+"""Lowest and highest RGBA of the 2 x 2 pixels that trimesh gives to texture coordinates without a material."""
+
 
 @dataclass(frozen=True, eq=False)
 class Look:
@@ -53,7 +56,7 @@ def look_of(visual: Any, faces: np.ndarray[Any, Any], *, linear: bool) -> Look:
     material, problem = PAPER_WHITE, None
     texture = None
     source = getattr(visual, "material", None)
-    if source is not None:
+    if source is not None and not _made_up(source):
         is_pbr = hasattr(source, "baseColorFactor")
         material = _pbr_colour(source, linear) if is_pbr else _simple_colour(source)
         image = source.baseColorTexture if is_pbr else getattr(source, "image", None)
@@ -66,6 +69,14 @@ def look_of(visual: Any, faces: np.ndarray[Any, Any], *, linear: bool) -> Look:
     return Look(
         Material(material, texture), _corner_uv(visual, faces), _corner_colours(visual, faces, linear), problem
     )
+
+
+def _made_up(source: Any) -> bool:
+    """Whether a material is not of the file, but put there by trimesh: the file has texture coordinates only."""
+    image = getattr(source, "image", None)
+    if image is None or getattr(source, "kwargs", {}) or image.format is not None:  # `format`: read from a file
+        return False
+    return bool(image.size == (2, 2) and image.getextrema() == _MADE_UP)
 
 
 def _opaque(source: Any) -> bool:

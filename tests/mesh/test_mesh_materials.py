@@ -177,6 +177,32 @@ def test_a_model_without_colours_is_white(tmp_path: Path) -> None:
     np.testing.assert_array_equal(surface.materials[0].colour, np.ones(4))
 
 
+@pytest.mark.parametrize("head", ["", "usemtl m\n", "mtllib gone.mtl\nusemtl m\n"])
+def test_texture_coordinates_without_a_material_print_nothing(head: str, tmp_path: Path) -> None:
+    path = tmp_path / "bare.obj"
+    path.write_text(head + QUAD + FACES)
+    surface = load_model(path).surface
+    assert not surface.textured
+    assert surface.colours is None
+    np.testing.assert_array_equal(surface.materials[0].colour, np.ones(4))
+
+
+def test_faces_without_a_material_are_white_beside_coloured_ones(tmp_path: Path) -> None:
+    (tmp_path / "half.mtl").write_text("newmtl a\nKd 1 0 0\n")
+    text = "mtllib half.mtl\n" + QUAD + "f 1/1 2/2 3/3\nusemtl a\nf 1/1 3/3 4/4\n"
+    (tmp_path / "half.obj").write_text(text)
+    surface = load_model(tmp_path / "half.obj").surface
+    assert not surface.textured
+    colours = [surface.materials[index].colour for index in surface.material]
+    np.testing.assert_allclose(sorted(colour[1] for colour in colours), [0, 1])
+
+
+def test_a_texture_of_the_same_grey_stays_a_texture(tmp_path: Path) -> None:
+    path = write_obj(tmp_path, "map_Kd paint.png")
+    Image.new("RGBA", (2, 2), (100, 100, 100, 255)).save(tmp_path / "paint.png")
+    assert load_model(path).surface.textured
+
+
 def test_missing_buffer_is_an_error_but_missing_picture_a_note(tmp_path: Path) -> None:
     material = PBRMaterial(baseColorFactor=[255, 0, 0, 255])
     mesh = trimesh.load_scene(glb(tmp_path / "q.glb", material))
