@@ -3,6 +3,10 @@
 The heading comes from NPCA over the normals, from the long edges, from the model's own axes, or from the user.
 The fold is where the best vertical mirror plane meets the base; where the two planes of the heading mirror about
 equally well, it runs along the longer side.
+
+How a model lies in its file does not matter to what is found by its shape. It matters to the up axis and to the
+front where the format has a custom: the same shape turned in its file can be another way round
+(:mod:`popsim.mesh.front`), unless the user states both.
 """
 
 import re
@@ -18,8 +22,9 @@ from popsim.mesh.axes import axis_name, direction_of
 from popsim.mesh.bounds import RobustBounds
 from popsim.mesh.directions import Peak, edge_headings, horizontal_basis, normal_headings
 from popsim.mesh.formats import format_of
+from popsim.mesh.front import choose_front, stated_front
 from popsim.mesh.heading import Heading, choose_heading
-from popsim.mesh.level import SQUARE, Level, lean, levelled
+from popsim.mesh.level import SQUARE, Level, levelled
 from popsim.mesh.model import Model
 from popsim.mesh.on_edge import set_on_edge
 from popsim.mesh.sampling import sample_surface
@@ -36,8 +41,6 @@ EQUAL_SYMMETRY = 0.08
 """Mirror planes whose scores differ by less are equally good, and the longer side decides."""
 ASYMMETRIC = 0.5
 """Below this score the model has no mirror plane to speak of, and the longer side decides."""
-LEAN = 0.004
-"""Moments (relative to the extents) below this are noise, and the front cannot be told by them."""
 VERTICAL = 0.9
 """A front whose part along the up axis is above this points up or down, not forward."""
 
@@ -56,7 +59,9 @@ class Alignment:
     up:
         The choice of the up direction, and how sure it is.
     heading_confidence:
-        0..1, that the model is turned rightly about the up axis; 1 where the user said so.
+        0..1, that the model is turned rightly about the up axis, up to a half turn; 1 where the user said so.
+    front_confidence:
+        0..1, that x points to its front and not to its back; 1 where the user said so.
     symmetry:
         The mirror plane in model coordinates, and its score.
     box:
@@ -69,6 +74,7 @@ class Alignment:
     axes: tuple[str, str, str]
     up: UpChoice
     heading_confidence: float
+    front_confidence: float
     symmetry: MirrorPlane
     box: RobustBounds
     reasons: tuple[str, ...]
@@ -95,7 +101,8 @@ def align(
     up:
         The model direction that points up (:func:`popsim.mesh.axes.direction_of`), or "auto".
     front:
-        The model direction that points to +x, as nearly as the heading allows; None to choose by shape.
+        The model direction that points to +x, as nearly as the heading allows; None to choose by the custom of
+        the format and the shape.
     method:
         "npca": normals; "edges": long edges; "none": the model's own axes; or an angle such as "30deg", by which
         the model's own axes are turned, counterclockwise seen from above.
@@ -120,7 +127,11 @@ def align(
     heading = choose_heading(level, fixed=method not in ("npca", "edges"))
     level_front = None if ahead is None else level.rotation @ ahead
     along, why_fold = _fold_side(heading, fold, level_front)
-    x, why_front = _front(level, heading.directions[along], level_front, front)
+    if level_front is None:
+        facing = choose_front(level, heading.directions[along], format_of(model.path).front)
+    else:
+        facing = stated_front(heading.directions[along], level_front, str(front))
+    x = facing.direction
     turned = np.stack([x, np.cross([0.0, 0.0, 1.0], x), [0.0, 0.0, 1.0]])
     plane = heading.planes[1 - along]
     matrix, box = _stand(level, turned, plane)
@@ -130,10 +141,10 @@ def align(
         f"{choice.reason} (confidence {choice.confidence:.2f})",
         f"{why_heading} (confidence {heading.confidence:.2f})",
         why_fold,
-        why_front,
+        f"{facing.reason} (confidence {facing.confidence:.2f})",
         *(str(part) for part in box.left_out),
     )
-    return Alignment(matrix, axes, choice, heading.confidence, own, box, reasons)
+    return Alignment(matrix, axes, choice, heading.confidence, facing.confidence, own, box, reasons)
 
 
 def check_options(up: str, front: str | None, method: str, fold: str) -> None:
@@ -192,31 +203,6 @@ def _fold_side(heading: Heading, fold: Fold, front: FloatArray | None) -> tuple[
     if unequal or max(first, second) < SQUARE * min(first, second):
         return better, f"the fold lies in the best mirror plane, score {scores[better]:.2f} of 1"
     return longer, f"the fold runs along the longer side; mirror score {scores[longer]:.2f} of 1"
-
-
-def _front(level: Level, x: FloatArray, front: FloatArray | None, word: str | None) -> tuple[FloatArray, str]:
-    """Return x or -x, whichever points to the front as told, to the lower end, or to the end with less area."""
-    if front is not None:
-        return x * (1.0 if x @ front > 0 else -1.0), f"{word} is the front, as told"
-    samples = level.samples
-    weight = samples.area / samples.area.sum()
-    along, height = _centred(samples.points @ x), _centred(samples.points[:, 2])
-    for moment, words in (
-        (weight @ (along * (height - weight @ height)), "the lower end is the front"),
-        (weight @ along, "the end with less surface is the front"),
-    ):
-        if abs(moment) > LEAN:
-            return -x * np.sign(moment), words
-    if (exact := lean(level.surface, x)) != 0:
-        return -x * np.sign(exact), "both ends look alike; the one with a little less surface is the front"
-    own = x @ level.rotation
-    return x * np.sign(own[np.abs(own).argmax()]), "both ends look alike; the front follows the model's axes"
-
-
-def _centred(values: FloatArray) -> FloatArray:
-    """Scale values to -0.5..0.5."""
-    low, high = values.min(), values.max()
-    return np.asarray((values - (low + high) / 2) / max(float(high - low), 1e-300))
 
 
 def _stand(level: Level, turned: FloatArray, plane: MirrorPlane) -> tuple[FloatArray, RobustBounds]:

@@ -27,6 +27,7 @@ def report_of(run: DesignRun, planned: Planned | None, files: list[str], command
             "axes": list(prepared.alignment.axes),
             "confidence": _rounded(prepared.alignment.up.confidence),
             "heading_confidence": _rounded(prepared.alignment.heading_confidence),
+            "front_confidence": _rounded(prepared.alignment.front_confidence),
             "symmetry": _rounded(prepared.alignment.symmetry.score),
             "symmetry_centred": prepared.alignment.symmetry.centred,
             "reasons": list(prepared.alignment.reasons),
