@@ -30,6 +30,8 @@ class ModelFormat:
         standard or the custom of the format, against its opposite; :data:`NO_CUSTOM` where there is neither.
     linear_colours:
         Whether colour factors are linear light (glTF 2.0, 3.9.2) and not display values.
+    extensible:
+        Whether files may require extensions, as glTF 2.0, 3.12 has them.
     unit:
         mm that one unit of a file stands for, by the standard; 1 where there is none.
     """
@@ -39,6 +41,7 @@ class ModelFormat:
     up: dict[str, float]
     front: float = NO_CUSTOM
     linear_colours: bool = False
+    extensible: bool = False
     unit: float = 1.0
 
 
@@ -60,8 +63,8 @@ FORMATS: dict[str, ModelFormat] = {
     ".stl": ModelFormat("STL", "stl", _PRINT_UP),
     ".ply": ModelFormat("PLY", "ply", _SCAN_UP),
     ".off": ModelFormat("OFF", "off", _SCAN_UP),
-    ".glb": ModelFormat("GLB", "glb", _GLTF_UP, _GLTF_FRONT, linear_colours=True, unit=METRE),
-    ".gltf": ModelFormat("glTF", "gltf", _GLTF_UP, _GLTF_FRONT, linear_colours=True, unit=METRE),
+    ".glb": ModelFormat("GLB", "glb", _GLTF_UP, _GLTF_FRONT, linear_colours=True, extensible=True, unit=METRE),
+    ".gltf": ModelFormat("glTF", "gltf", _GLTF_UP, _GLTF_FRONT, linear_colours=True, extensible=True, unit=METRE),
     ".3mf": ModelFormat("3MF", "3mf", _PRINT_UP),
 }
 """Suffix (lower case, with its dot) to format. A new format is one more row."""

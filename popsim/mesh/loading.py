@@ -17,6 +17,7 @@ from popsim.geometry.arrays import FloatArray
 from popsim.geometry.surface import Material, Surface
 from popsim.mesh.cleaning import usable_triangles
 from popsim.mesh.formats import ModelFormat, format_of
+from popsim.mesh.gltf_extensions import unread_extensions
 from popsim.mesh.materials import Look, look_of
 from popsim.mesh.model import Model
 
@@ -44,13 +45,15 @@ def load_model(path: Path | str) -> Model:
     InputError
         The file is missing, a folder, or may not be read.
     MeshError
-        It is empty, not of a known format, damaged, or holds no surface.
+        It is empty, not of a known format, damaged, needs an extension that is not read, or holds no surface.
     """
     path = Path(path)
     known = format_of(path)
     data = read_bytes(path, "model")
     if not data.strip():
         raise MeshError(f"{path.name}: the file is empty")
+    if known.extensible and (unread := unread_extensions(data)):
+        raise MeshError(_extended(path, unread))
     linear = known.linear_colours and _DISPLAY_COLOUR_WRITER not in data
     with _quiet():
         meshes, notes = _parse(path, known, data)
@@ -113,6 +116,13 @@ def _unreadable(path: Path, known: ModelFormat, error: Exception, needed: str | 
     return f"{path.name}: cannot be read as {known.name}; the file is damaged or of another format{reason}"
 
 
+def _extended(path: Path, unread: list[str]) -> str:
+    names = f"the glTF extension{'s' if len(unread) > 1 else ''} {' and '.join(unread)}"
+    packed = any("compression" in name or "quantization" in name for name in unread)
+    again = "without compression" if packed else "without"
+    return f"{path.name}: needs {names}, which popsim does not read; export the model {again}"
+
+
 def _part(mesh: Any, visual: Any, *, linear: bool) -> tuple[FloatArray, Look]:
     """Return the corners (n, 3, 3) and the colours of one mesh."""
     faces = np.asarray(mesh.faces)
@@ -146,12 +156,14 @@ def _fingerprint(material: Material) -> tuple[bytes, bytes | None]:
 @contextmanager
 def _quiet() -> Iterator[None]:
     """Silence the log and the warnings of trimesh and Pillow: what matters becomes a note or an error."""
-    logger = logging.getLogger("trimesh")
-    before = logger.disabled
-    logger.disabled = True
+    logger = logging.getLogger("trimesh")  # its modules log as "trimesh.util" and so on, which end here
+    before, silent = logger.propagate, logging.NullHandler()
+    logger.propagate = False
+    logger.addHandler(silent)
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
             yield
     finally:
-        logger.disabled = before
+        logger.removeHandler(silent)
+        logger.propagate = before

@@ -17,6 +17,7 @@ TRIANGLE = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
         ("nan.obj", "v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", ""),
         ("model.docx", "hello", "docx"),
         ("flat.obj", TRIANGLE, ""),
+        ("packed.gltf", '{"extensionsRequired": ["EXT_meshopt_compression"]}', "EXT_meshopt_compression"),
     ],
 )
 def test_what_is_no_model_is_named(popsim, tmp_path: Path, name: str, content: str, word: str) -> None:
