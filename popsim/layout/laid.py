@@ -1,9 +1,10 @@
 """A layout on its way: pieces as planned, and then their places."""
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from popsim.geometry.flat import move_shape
 from popsim.layout.filling import Place
 from popsim.layout.flap import Flap
 from popsim.layout.joints import Joint
@@ -15,6 +16,10 @@ from popsim.layout.waste import Waste, waste_of
 
 if TYPE_CHECKING:
     from shapely.geometry import Polygon
+    from shapely.geometry.base import BaseGeometry
+
+WELD = 0.01
+"""mm; shapes that meet along creases are grown by this to be one."""
 
 GAIN = 0.05
 """Share of a sheet that a change must fill, unless it saves one or fills all."""
@@ -38,6 +43,15 @@ class Planned:
     def shares(self, room: Room) -> list[float]:
         """Of a sheet that each piece takes."""
         return [shape.area / (room[0] * room[1]) for shape in self.outlines]
+
+    def together(self, index: int, members: Collection[str]) -> "BaseGeometry":
+        """Some parts of a net and the flaps that they carry in one, in the net's coordinates."""
+        import shapely
+
+        net, piece = self.nets[index], self.pieces[index]
+        own = [move_shape(net.motions[part], self.parts[part].polygon) for part in net.motions if part in members]
+        own += [move_shape(net.motions[f.carrier], f.polygon) for f in piece.flaps if f.carrier in members]
+        return shapely.unary_union([shape.buffer(WELD) for shape in own])
 
 
 @dataclass(frozen=True, eq=False)

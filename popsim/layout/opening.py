@@ -4,29 +4,49 @@ A piece that is large for its sheet leaves much of it empty. Where sheets but th
 fold whose opening saves a sheet, or fills them, becomes a glue joint; where none does, pieces stay as they are.
 """
 
-from collections.abc import Callable, Iterator, Mapping
-from typing import TYPE_CHECKING
+from collections.abc import Callable, Iterator
+from typing import TYPE_CHECKING, NamedTuple
 
-from popsim.geometry.flat import move_shape
 from popsim.layout.errors import LayoutError
+from popsim.layout.joints import Joint
 from popsim.layout.laid import Laid, Planned, is_worth
 from popsim.layout.nesting import Estimator
-from popsim.layout.nets import Net
-from popsim.layout.parts import Part
-from popsim.layout.pieces import Piece
 from popsim.layout.settings import LayoutSettings
 from popsim.layout.too_large import Room
 from popsim.layout.waste import Waste
 
 if TYPE_CHECKING:
     from shapely.geometry import Polygon
-    from shapely.geometry.base import BaseGeometry
 
 OPENINGS = 2
 """Folds opened at most; each is one more line to glue."""
 
-PLANS = 2
-"""Openings planned in full at most before one is found that is worth it: nets may close elsewhere instead."""
+PLANS = 4
+"""Openings planned in full at most before one is found that is worth it: estimates are not exact."""
+
+EFFORT = 50_000_000
+"""Cells looked at after which no folds of sheets that are well filled are tried."""
+
+
+class Opening(NamedTuple):
+    """What a net falls into where one fold is opened.
+
+    Attributes
+    ----------
+    fold:
+        Id of the fold.
+    length:
+        Of the fold, mm.
+    barred:
+        Ids of all joints across which a half would else grow together with something, the fold's among them.
+    halves:
+        Outlines of both, one with a flap.
+    """
+
+    fold: str
+    length: float
+    barred: frozenset[str]
+    halves: tuple["Polygon", "Polygon"]
 
 
 def with_opened_folds(
@@ -51,10 +71,10 @@ def with_opened_folds(
     barred: frozenset[str] = frozenset()
     for _ in range(OPENINGS):
         before = laid.waste(room)
-        folds = _promising(laid, estimator, room, settings) if before.lacking else []
-        for fold in folds[:PLANS]:
+        openings = _promising(laid, estimator, room, settings) if before.lacking else []
+        for opening in openings[:PLANS]:
             try:
-                other = plan(barred | {fold})
+                other = plan(barred | opening.barred)
             except LayoutError:  # its flaps have no room
                 continue
             after = estimator.waste(other.outlines)
@@ -62,35 +82,40 @@ def with_opened_folds(
                 continue
             opened = place(other)
             if is_worth(opened.waste(room), before):
-                barred, laid = barred | {fold}, opened
+                barred, laid = barred | opening.barred, opened
                 break
         else:
             break
     return laid
 
 
-def _promising(laid: Laid, estimator: Estimator, room: Room, settings: LayoutSettings) -> list[str]:
-    """Ids of the folds whose opening is estimated to be worth it, that which wastes least first."""
-    before, planned = laid.waste(room), laid.planned
-    outlines = planned.outlines
-    found: list[tuple[Waste, float, str]] = []
-    for k, net in enumerate(planned.nets):
-        if laid.places[k].sheet not in before.emptiest:
-            continue
-        for fold, length, halves in _halves(net, planned.pieces[k], planned.parts, settings.flap_depth):
-            after = estimator.waste([*outlines[:k], *outlines[k + 1 :], *halves])
-            if after is not None and is_worth(after, before):
-                found.append((after, length, fold))
-    return [fold for _, _, fold in sorted(found)]
+def _promising(laid: Laid, estimator: Estimator, room: Room, settings: LayoutSettings) -> list[Opening]:
+    """Openings that are estimated to be worth it, that which wastes least first.
+
+    What lies on sheets that are well filled is looked at only where nothing of the others helps.
+    """
+    before, outlines = laid.waste(room), laid.planned.outlines
+    start = estimator.effort
+    for near in (True, False):
+        found: list[tuple[Waste, float, str, Opening]] = []
+        for k, place in enumerate(laid.places):
+            if (place.sheet in before.emptiest) != near or (not near and estimator.effort - start > EFFORT):
+                continue
+            for opening in _openings(laid.planned, k, settings.flap_depth):
+                after = estimator.waste([*outlines[:k], *outlines[k + 1 :], *opening.halves])
+                if after is not None and is_worth(after, before):
+                    found.append((after, opening.length, opening.fold, opening))
+        if found:
+            break
+    return [opening for *_, opening in sorted(found, key=lambda one: one[:3])]
 
 
-def _halves(
-    net: Net, piece: Piece, parts: Mapping[str, Part], flap_depth: float
-) -> Iterator[tuple[str, float, list["Polygon"]]]:
-    """Each fold that holds a net together: its id, its length, and what it holds, one half with a flap."""
+def _openings(planned: Planned, index: int, flap_depth: float) -> Iterator[Opening]:
+    """Each fold that holds a net together, by the index of the net; flaps are as deep as told, mm."""
     import networkx
     import shapely
 
+    net, piece = planned.nets[index], planned.pieces[index]
     graph = networkx.Graph(fold.parts for fold in net.folds)
     bridges = {frozenset(pair) for pair in networkx.bridges(graph)}
     for fold in piece.folds:
@@ -98,13 +123,15 @@ def _halves(
         if fold.joint not in net.folds or ends not in bridges:
             continue
         rest = networkx.restricted_view(graph, [], [fold.joint.parts])
-        halves: list[BaseGeometry] = []
-        for name in fold.joint.parts:
-            members = networkx.node_connected_component(rest, name)
-            own = [move_shape(net.motions[part], parts[part].polygon) for part in members]
-            own += [move_shape(net.motions[f.carrier], f.polygon) for f in piece.flaps if f.carrier in members]
-            halves.append(shapely.unary_union([shape.buffer(0.01) for shape in own]))
+        first, second = (networkx.node_connected_component(rest, name) for name in fold.joint.parts)
         flap = shapely.LineString(fold.ends).buffer(flap_depth, cap_style="flat")
-        halves[0] = halves[0].union(flap)
-        if all(half.geom_type == "Polygon" for half in halves):
-            yield fold.joint.id, fold.joint.length, halves
+        halves = planned.together(index, first).union(flap), planned.together(index, second)
+        barred = frozenset(joint.id for joint in planned.joints if _leaves(joint, first) or _leaves(joint, second))
+        if halves[0].geom_type == halves[1].geom_type == "Polygon":
+            yield Opening(fold.joint.id, fold.joint.length, barred, halves)
+
+
+def _leaves(joint: Joint, members: set[str]) -> bool:
+    """Whether one of the two parts of a joint is among some, and the other is not."""
+    one, other = joint.parts
+    return (one in members) != (other in members)

@@ -9,16 +9,11 @@ from popsim.geometry.arrays import FloatArray
 from popsim.geometry.flat import common, inverse, move, move_shape
 from popsim.layout.divisions import Division
 from popsim.layout.joints import SHORTEST
-from popsim.layout.laid import Planned
-from popsim.layout.nets import Net
-from popsim.layout.pieces import Piece
+from popsim.layout.laid import WELD, Planned
 
 if TYPE_CHECKING:
     from shapely.geometry import Polygon
     from shapely.geometry.base import BaseGeometry
-
-WELD = 0.01
-"""mm; shapes that meet along creases are grown by this to be one."""
 
 
 class Hanging(NamedTuple):
@@ -41,13 +36,13 @@ class Sketch:
         self._parts, self._seam_depth = planned.parts, seam_depth
         self._kept: list[Polygon] = []
         self._hanging: dict[str, list[Hanging]] = {}
-        for net, piece in zip(planned.nets, planned.pieces, strict=True):
+        for index, net in enumerate(planned.nets):
             divided = [name for name in net.motions if self._is_divided(name)]
             if not divided:
-                self._kept.append(piece.outline)
+                self._kept.append(planned.pieces[index].outline)
             for name in divided:
                 own = self._hanging.setdefault(self._parts[name].patch.id, [])
-                own += self._found(net, piece, name, divided)
+                own += _found(planned, index, name, divided)
 
     def shapes(self, divisions: Division) -> list["Polygon"]:
         """Shapes of all pieces where the patches that are divided are divided like this."""
@@ -58,37 +53,6 @@ class Sketch:
 
     def _is_divided(self, name: str) -> bool:
         return name != self._parts[name].patch.id
-
-    def _found(self, net: Net, piece: Piece, name: str, divided: list[str]) -> Iterator[Hanging]:
-        """Flaps of one part of a divided patch, and what its folds hold."""
-        import networkx
-        import shapely
-
-        back = inverse(net.motions[name])
-        for flap in piece.flaps:
-            if flap.carrier == name and flap.joint.hinge is not None:
-                depth = shapely.hausdorff_distance(flap.polygon, shapely.LineString(flap.line))
-                yield Hanging(depth, flap.line)
-        graph = networkx.Graph()
-        graph.add_nodes_from(net.motions)
-        graph.add_edges_from(fold.parts for fold in net.folds)
-        graph.remove_nodes_from(divided)
-        for fold in piece.folds:
-            if fold.joint not in net.folds or name not in fold.joint.parts:
-                continue
-            beyond = fold.joint.other(name)
-            if beyond in graph:
-                members = networkx.node_connected_component(graph, beyond)
-                yield Hanging(self._together(net, piece, members, back), move(back, fold.ends))
-                graph.remove_nodes_from(members)
-
-    def _together(self, net: Net, piece: Piece, members: set[str], back: FloatArray) -> "BaseGeometry":
-        """Parts of a net and their flaps in one, moved by `back`."""
-        import shapely
-
-        own = [move_shape(net.motions[part], self._parts[part].polygon) for part in net.motions if part in members]
-        own += [move_shape(net.motions[f.carrier], f.polygon) for f in piece.flaps if f.carrier in members]
-        return move_shape(back, shapely.unary_union([shape.buffer(WELD) for shape in own]))
 
     def _divided(self, polygons: tuple["Polygon", ...], hanging: list[Hanging]) -> Iterator["Polygon"]:
         """The parts of one patch with the flaps of their seams and what hangs on each."""
@@ -111,3 +75,28 @@ class Sketch:
         for own in shapes:
             whole = shapely.unary_union(own)
             yield max(shapely.get_parts(whole), key=lambda part: part.area)
+
+
+def _found(planned: Planned, index: int, name: str, divided: list[str]) -> Iterator[Hanging]:
+    """Flaps of one part of a divided patch, and what its folds hold, by the index of its net."""
+    import networkx
+    import shapely
+
+    net, piece = planned.nets[index], planned.pieces[index]
+    back = inverse(net.motions[name])
+    for flap in piece.flaps:
+        if flap.carrier == name and flap.joint.hinge is not None:
+            depth = shapely.hausdorff_distance(flap.polygon, shapely.LineString(flap.line))
+            yield Hanging(depth, flap.line)
+    graph = networkx.Graph()
+    graph.add_nodes_from(net.motions)
+    graph.add_edges_from(fold.parts for fold in net.folds)
+    graph.remove_nodes_from(divided)
+    for fold in piece.folds:
+        if fold.joint not in net.folds or name not in fold.joint.parts:
+            continue
+        beyond = fold.joint.other(name)
+        if beyond in graph:
+            members = networkx.node_connected_component(graph, beyond)
+            yield Hanging(move_shape(back, planned.together(index, members)), move(back, fold.ends))
+            graph.remove_nodes_from(members)
