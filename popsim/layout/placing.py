@@ -39,20 +39,27 @@ class Placing:
     def place(self, choices: tuple[Site, ...]) -> Flap | None:
         """The best flap among `choices`, which then takes up its room; None where nothing of use fits."""
         clearance = self._bench.settings.clearance
+        ranked = sorted((self._merit(site), order, site) for order, site in enumerate(choices))
         for form, kept in ((trapezoid, clearance), (tab, clearance / 5)):
-            options = []
-            for order, site in enumerate(choices):
+            best: tuple[tuple[int, tuple[int, int], float, int], Site, Polygon] | None = None
+            for merit, order, site in ranked:
+                if best is not None and best[0][:2] < (0, merit):
+                    break  # nothing that is left could be better
                 full = form(site.length, self._depth(site))
                 shape = trimmed(full, self._blocked(site, full), self._allowed(site, kept))
                 if shape is None or shape.area < max(ENOUGH[-1] * full.area, SMALLEST):
                     continue
                 share = sum(shape.area < enough * full.area for enough in ENOUGH)
-                crowd = len(self._bench.net_of[site.carrier.id].motions)
-                options.append(((share, site.rank, crowd, -round(shape.area, 3), order), site, shape))
-            if options:
-                _, site, shape = min(options, key=lambda option: option[0])
-                return self._keep(site, shape)
+                key = share, merit, -round(shape.area, 3), order
+                if best is None or key < best[0]:
+                    best = key, site, shape
+            if best is not None:
+                return self._keep(*best[1:])
         return None
+
+    def _merit(self, site: Site) -> tuple[int, int]:
+        """How well a flap at a site hides, and how many parts its net has; less is better."""
+        return site.rank, len(self._bench.net_of[site.carrier.id].motions)
 
     def _depth(self, site: Site) -> float:
         if site.joint.hinge is None or site.joint.hinge.kind == "central":
