@@ -18,6 +18,7 @@ from popsim.layout.paper import Paper, find_paper
 from popsim.layout.parts import Part
 from popsim.layout.pieces import Piece, make_pieces
 from popsim.layout.planning import plan_pieces
+from popsim.layout.recurring import Recurring
 from popsim.layout.seams import lay_out_divided
 from popsim.layout.settings import LayoutSettings
 from popsim.layout.thickness import cut_back
@@ -108,10 +109,10 @@ def lay_out(
     """
     settings = settings or LayoutSettings()
     paper = paper if isinstance(paper, Paper) else find_paper(paper)
-    room = settings.area(paper)
+    room, recurring = settings.area(paper), Recurring()
 
     def plan(divisions: Sequence[Division], barred: frozenset[str] = frozenset()) -> Planned:
-        return _planned(design, divisions, room, settings, in_the_way, barred)
+        return _planned(design, divisions, room, settings, in_the_way, barred, recurring)
 
     def place(planned: Planned, *, patient: bool = False) -> Laid:
         names = [piece.name for piece in planned.pieces]
@@ -159,12 +160,13 @@ def _planned(
     settings: LayoutSettings,
     in_the_way: InTheWay,
     barred: frozenset[str],
+    recurring: Recurring,
 ) -> Planned:
     """All pieces, with patches divided as told, where some joints are `barred` from being folds."""
     thickness = settings.stock.thickness if settings.stock else 0.0
-    listed = cut_back(parts_of(design, divisions, settings.grain_axis(room)), design, thickness)
+    listed = recurring.parts(cut_back(parts_of(design, divisions, settings.grain_axis(room)), design, thickness))
     parts = {part.id: part for part in listed}
-    joints = find_joints(design, listed)
+    joints = recurring.joints(find_joints(design, listed))
     nets, flaps = plan_pieces(listed, joints, room, settings, in_the_way, barred)
     pieces = make_pieces(parts, nets, flaps)
     for piece in pieces:

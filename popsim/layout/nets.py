@@ -8,6 +8,7 @@ which the best result is kept. A loop of folds opens where that costs least.
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
+from functools import lru_cache
 from random import Random
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -81,14 +82,11 @@ def find_nets(
     """
     by_id = {part.id: part for part in parts}
     open_to_fold = [joint for joint in joints if joint.may_fold and joint.id not in barred]
-    folds = [fold for joint in open_to_fold if (fold := _as_fold(joint, by_id))]
-
-    def goes_on(shape: "BaseGeometry") -> bool:
-        return fits(shape.convex_hull, room, allowance, grain=grain)
-
-    nets = []
-    for group in _groups(tuple(by_id), folds):
-        nets += _best([by_id[name] for name in group], folds, goes_on, grain)
+    folding = [joint for joint in open_to_fold if _as_fold(joint, by_id)]
+    nets: list[Net] = []
+    for group in _groups(tuple(by_id), folding):
+        own = tuple(joint for joint in folding if joint.parts[0] in group)
+        nets += _best(tuple(by_id[name] for name in group), own, room, allowance, grain)
     order = {name: k for k, name in enumerate(by_id)}
     return tuple(sorted(nets, key=lambda net: order[next(iter(net.motions))]))
 
@@ -104,20 +102,32 @@ def _as_fold(joint: Joint, parts: Mapping[str, Part]) -> Fold | None:
     return Fold(joint, (a, b))
 
 
-def _groups(names: Iterable[str], folds: list[Fold]) -> list[list[str]]:
-    """Parts that folds connect, in order."""
+def _groups(names: Iterable[str], folding: Iterable[Joint]) -> list[list[str]]:
+    """Parts that joints connect, in order."""
     import networkx
 
     graph = networkx.Graph()
     graph.add_nodes_from(names)
-    graph.add_edges_from(fold.joint.parts for fold in folds)
+    graph.add_edges_from(joint.parts for joint in folding)
     order = {name: k for k, name in enumerate(graph)}
     return [sorted(group, key=order.__getitem__) for group in networkx.connected_components(graph)]
 
 
-def _best(parts: list[Part], folds: list[Fold], goes_on: GoesOn, grain: bool) -> list[Net]:
-    names = {part.id for part in parts}
-    own = sorted((f for f in folds if f.joint.parts[0] in names), key=lambda f: (-f.joint.length, f.joint.id))
+@lru_cache(maxsize=512)
+def _best(
+    parts: tuple[Part, ...], joints: tuple[Joint, ...], room: tuple[float, float], allowance: float, grain: bool
+) -> tuple[Net, ...]:
+    """The best nets of parts that joints connect, all of which can be creases.
+
+    Plans of one design ask again and again for the same: it is remembered.
+    """
+    by_id = {part.id: part for part in parts}
+    found = (_as_fold(joint, by_id) for joint in joints)
+    own = sorted((fold for fold in found if fold), key=lambda fold: (-fold.joint.length, fold.joint.id))
+
+    def goes_on(shape: "BaseGeometry") -> bool:
+        return fits(shape.convex_hull, room, allowance, grain=grain)
+
     shuffled = Random(0)
     best: tuple[tuple[float, ...], list[Net]] | None = None
     for _ in range(TRIES):
@@ -128,10 +138,10 @@ def _best(parts: list[Part], folds: list[Fold], goes_on: GoesOn, grain: bool) ->
         if sum(len(net.folds) for net in nets) == len(own):
             break  # nothing is left open, no order does better
         own = shuffled.sample(own, len(own))
-    return best[1] if best else []
+    return tuple(best[1]) if best else ()
 
 
-def _score(nets: list[Net], parts: list[Part]) -> tuple[float, ...]:
+def _score(nets: list[Net], parts: tuple[Part, ...]) -> tuple[float, ...]:
     """Less is better: folds left open, length of slits, length of open folds, area of the hulls."""
     from shapely import unary_union
 
@@ -163,7 +173,7 @@ class _Cluster:
         return float(sum(outline.area for outline in self.outlines))
 
 
-def _grow(parts: list[Part], order: list[Fold], goes_on: GoesOn, grain: bool) -> list[Net]:
+def _grow(parts: tuple[Part, ...], order: list[Fold], goes_on: GoesOn, grain: bool) -> list[Net]:
     """Kruskal: join clusters across folds in the given order wherever the result is a net.
 
     Where `grain` counts, the result lies as that of the two does which has more paper.
