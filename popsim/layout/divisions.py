@@ -56,7 +56,7 @@ def plain_divisions(design: Design, room: Room, settings: LayoutSettings) -> tup
 def other_divisions(
     plain: Division, before: Iterable[Division], design: Design, room: Room, settings: LayoutSettings
 ) -> tuple[Division, ...]:
-    """Other divisions of one plane, each once: into as many parts, and then into one more of each patch.
+    """Other divisions of one plane, each once: into as many parts, and then into one more of each patch, or row.
 
     `before` are the plainest divisions of the planes before.
     """
@@ -64,10 +64,11 @@ def other_divisions(
     marks = [corner for division in before for corner in _corners(design, division, grain)]
     found = {_content(plain): plain}
     for more in (0, 1):
-        for leaning in LEANINGS:
-            way = _divided(group, design, room, settings, marks, leaning, more)
-            if count_parts(way) <= count_parts(plain) + more * len(group):
-                found.setdefault(_content(way), way)
+        ways = [_divided(group, design, room, settings, marks, leaning, more) for leaning in LEANINGS]
+        most = count_parts(plain) + more * len(group)
+        if more:  # patches that are divided both ways get a row of parts more at least
+            most = min((count for way in ways if (count := count_parts(way)) >= most), default=most)
+        found |= {_content(way): way for way in ways if count_parts(way) <= most and _content(way) not in found}
     return tuple(found.values())[1:]
 
 

@@ -2,7 +2,8 @@
 
 The plainest seams are short and cross no hinge. Where they seem to leave sheets badly filled, others are sketched,
 plane by plane, until none is estimated to waste less: first those that make as many parts, and then, if sheets are
-still not well filled, those that make one more of a patch. What is best is planned in full.
+still not well filled, those that make one more of a patch, or one more row of them. What is best is planned in
+full.
 """
 
 from collections.abc import Callable, Iterator, Sequence
@@ -96,9 +97,9 @@ class _Seams:
         for k in range(1, max(map(len, self.ways))):
             yield [own[min(k, len(own) - 1)] for own in self.ways]
 
-    def up_to(self, more: int) -> list[list[Division]]:
-        """All divisions of each plane into at most `more` parts more than the plainest makes, of each patch."""
-        return [[d for d in own if count_parts(d) <= count_parts(own[0]) + more * len(d)] for own in self.ways]
+    def ways_of(self, *, more: bool) -> list[list[Division]]:
+        """Divisions of each plane into as many parts as the plainest makes at most; all of them, if `more`."""
+        return [[d for d in own if more or count_parts(d) <= count_parts(own[0])] for own in self.ways]
 
 
 def _first(plan: Callable[[Sequence[Division]], Planned], seams: _Seams) -> tuple[Sequence[Division], Planned]:
@@ -137,7 +138,7 @@ def _sketched(
             break
         for _ in range(SWEEPS):
             before = chosen
-            for k, divisions in enumerate(seams.up_to(more)):
+            for k, divisions in enumerate(seams.ways_of(more=bool(more))):
                 for division in divisions:
                     if estimator.effort - start > EFFORT * (1 + more):
                         return ranked()

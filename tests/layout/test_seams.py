@@ -83,6 +83,18 @@ def test_all_divisions_cover_their_patches_and_are_different() -> None:
         assert ends[0] == ends[1]
 
 
+def test_patches_divided_both_ways_can_have_a_row_of_parts_more() -> None:
+    """Pages of two by two parts: three by two beside other ways of two by two, nothing more."""
+    made = design(440, 270)
+    plain = plain_divisions(made, ROOM, SETTINGS)[0]
+    assert {name: len(polygons) for name, polygons in plain.items()} == {"G": 4, "B": 4}
+    others = other_divisions(plain, (), made, ROOM, SETTINGS)
+    assert {count_parts(way) for way in others} == {8, 12}
+    for way in others:
+        for polygons in way.values():
+            assert shapely.unary_union(polygons).area == pytest.approx(440 * 270)
+
+
 def test_a_sketch_is_near_to_what_is_planned() -> None:
     """Shapes drawn for the division that was planned are its pieces, but for small differences of flaps."""
     made = design(320, 165)
