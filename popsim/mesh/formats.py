@@ -54,7 +54,7 @@ METRE = 1000.0
 _GLTF_UP = {"y": 0.95, "z": 0.02}  # glTF 2.0, 3.4: +y is up; exporters turn the model
 _GLTF_FRONT = 0.95  # glTF 2.0, 3.4: the front of an asset faces +z
 _OBJ_UP = {"y": 0.60, "z": 0.35}  # no rule: y from games and modellers, z from CAD and robotics
-_OBJ_FRONT = 0.60  # a habit of those who model with y up
+_OBJ_FRONT = 0.75  # a habit of those who model with y up: of 13 whose front is known it is that of twelve
 _PRINT_UP = {"z": 0.90, "y": 0.05}  # slicers and CAD build along z
 _SCAN_UP = {"z": 0.60, "y": 0.30}  # no rule
 

@@ -13,6 +13,9 @@ QUANTIZED = "KHR_mesh_quantization"
 LOOKS = ("KHR_materials_", "KHR_lights_", "EXT_lights_", "KHR_xmp")
 """What extensions are called that change neither the shape nor the base colour; they may be passed over."""
 
+TEXTURES = ("KHR_texture_", "EXT_texture_", "MSFT_texture_")
+"""What extensions are called that change textures only: the model is read without, and the report says so."""
+
 _GLB, _JSON = b"glTF", b"JSON"
 
 
@@ -25,12 +28,21 @@ def unread_extensions(data: bytes) -> list[str]:
         The file. One that is damaged requires nothing: the reader has more to say about it.
     """
     tree = _tree(data)
-    required = tree.get("extensionsRequired")
-    names = [str(name) for name in required] if isinstance(required, list) else []
-    unread = [name for name in names if name not in READ and not name.startswith(LOOKS)]
+    names = _required(tree)
+    unread = [name for name in names if name not in READ and not name.startswith((*LOOKS, *TEXTURES))]
     if QUANTIZED in names and _has_normalized_coordinates(tree):
         unread.append(QUANTIZED)
     return unread
+
+
+def unread_textures(data: bytes) -> list[str]:
+    """Return the names of those that change how textures are stored or laid, and are passed over."""
+    return [name for name in _required(_tree(data)) if name not in READ and name.startswith(TEXTURES)]
+
+
+def _required(tree: dict[str, Any]) -> list[str]:
+    required = tree.get("extensionsRequired")
+    return [str(name) for name in required] if isinstance(required, list) else []
 
 
 def _tree(data: bytes) -> dict[str, Any]:
