@@ -2,8 +2,6 @@
 
 from functools import cache
 
-import pytest
-
 from popsim.assembly.at_once import glued_together
 from popsim.assembly.faces import turns
 from popsim.assembly.kit import Kit
@@ -21,7 +19,7 @@ from popsim.verification.random_designs import random_design
 CARD = Card(x=(-80, 80), depth=120)
 
 TURNS = (3, 0, 4, 6, 5, 5, 1)
-"""Of the orders of random designs that were found before turns counted."""
+"""Of the orders of random designs that were found before turns counted; their pieces were not all the same."""
 
 
 def kit_of(design: Design) -> Kit:
@@ -91,7 +89,6 @@ def test_pairs_that_are_glued_apart_are_counted() -> None:
     assert apart(twins, [("a",), ("c",), ("b",)]) == 1
 
 
-@pytest.mark.parametrize("seed", range(len(TURNS)))
-def test_nothing_is_turned_more_often_than_before(seed: int) -> None:
-    kit = kit_of(random_design(seed, mechanisms=(1, 4)).design)
-    assert turns(kit, steps(kit)) <= TURNS[seed]
+def test_less_is_turned_than_before() -> None:
+    kits = [kit_of(random_design(seed, mechanisms=(1, 4)).design) for seed in range(len(TURNS))]
+    assert sum(turns(kit, steps(kit)) for kit in kits) < 0.75 * sum(TURNS)
