@@ -160,16 +160,22 @@ def _prints(dpi: float, base: str, bleed: float, reverse: str | None) -> "PatchS
 def _designed(model: Path, settings: "RunSettings", wishes: Path | None, output: Path | None, force: bool) -> bool:
     """Design, deliver and tell; returns whether it passed."""
     from popsim.cli.table import print_verdict
-    from popsim.pipeline import run_design
-    from popsim.pipeline.deliver import deliver
+    from popsim.pipeline.complete import complete
     from popsim.pipeline.folder import check_folder
 
     folder = output or Path(f"{model.stem}-popup")
     settings.check_choices()
     check_folder(folder, force)
-    run = run_design(model, settings, lambda stage: typer.echo(f"{stage} ...", err=True))
     command = _command(model, settings, wishes)
-    files, planned = deliver(run, folder, command=command, footer=_footer(run, command), force=force)
+    run, (files, planned) = complete(
+        model,
+        settings,
+        folder,
+        command=command,
+        footer=lambda run: _footer(run, command),
+        force=force,
+        progress=lambda stage: typer.echo(f"{stage} ...", err=True),
+    )
     print_verdict(run.verdict, model.name)
     kinds = ", ".join(f"{m.mechanism.id} {m.mechanism.type}" for m in run.fit.placements)
     typer.echo(f"{len(run.design.popup_patches)} patches: {kinds}")

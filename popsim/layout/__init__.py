@@ -6,7 +6,7 @@ which is cut out in one go. :func:`lay_out` makes all of it, :func:`draw_sheets`
 """
 
 from popsim.layout.drawing import draw_sheets
-from popsim.layout.errors import LayoutError
+from popsim.layout.errors import LayoutError, NoFlapError
 from popsim.layout.flap import Flap
 from popsim.layout.folding import Crease
 from popsim.layout.joints import Joint
@@ -29,6 +29,7 @@ __all__ = [
     "Layout",
     "LayoutError",
     "LayoutSettings",
+    "NoFlapError",
     "Paper",
     "Part",
     "Piece",

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 
 from popsim.geometry.flat import common, left_of, move_shape
 from popsim.layout.contact import BESIDE, Contact, contacts
-from popsim.layout.errors import LayoutError
+from popsim.layout.errors import NoFlapError
 from popsim.layout.flap import Flap
 from popsim.layout.flap_shape import APART, SHORTEST_TAB
 from popsim.layout.flaps import InTheWay, plan_flaps
@@ -35,7 +35,7 @@ def plan_pieces(
 
     Raises
     ------
-    LayoutError
+    NoFlapError
         A joint has room for a flap on neither side, whatever is opened.
     """
     parts = {part.id: part for part in listed}
@@ -49,10 +49,11 @@ def plan_pieces(
             break
         barred |= opened
     if left:
-        raise LayoutError(
+        raise NoFlapError(
             f"{left[0].id}: no flap fits between {left[0].parts[0]} and {left[0].parts[1]} on its "
             f"{left[0].length:.1f} mm; make the hinge longer (a larger size does), give the patches more room "
-            "beside it, or let it lie on the edge of one of them"
+            "beside it, or let it lie on the edge of one of them",
+            frozenset(parts[name].patch.id for name in left[0].parts),
         )
     return nets, flaps
 

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -99,15 +99,19 @@ def _coverage(mechanism: Mechanism, pieces: Mapping[str, Piece]) -> float:
 
 def _joined(mechanisms: Sequence[Mechanism], pieces: Mapping[str, Piece], settings: PatchSettings) -> list[str]:
     """Paper for all hinges, and no two patches through each other; returns notes."""
-    meetings: dict[str, Meeting] = {}
-    snaps: dict[str, float] = {}
+    meetings: dict[tuple[str, ...], Meeting] = {}
+    snaps: dict[tuple[str, ...], float] = {}
     for mechanism in mechanisms:
         for joint in mechanism.joints():
-            names = [mechanism.patch_id(role) for role in joint.roles]
-            found = [pieces[name] for name in names if name in pieces]
-            meetings[" and ".join(names)] = Meeting(joint.axis, found)
+            names = tuple(mechanism.patch_id(role) for role in joint.roles)
+            meetings[names] = Meeting(joint.axis, [pieces[name] for name in names if name in pieces])
             stands = FIRST_BASE in joint.roles or SECOND_BASE in joint.roles
-            snaps[" and ".join(names)] = settings.snap if stands else settings.seam
+            snaps[names] = settings.snap if stands else settings.seam
     uncross(list(meetings.values()))
-    reached = {names: hold(meeting.runs(), settings, snaps[names]) for names, meeting in meetings.items()}
-    return [f"{names}: strips of the face reach for their hinge" for names, strips in reached.items() if strips]
+    notes = []
+    for names, meeting in meetings.items():
+        share = settings.share(frozenset(names))
+        if hold(meeting.runs(), replace(settings, least_share=share), snaps[names]):
+            more = "" if share == settings.least_share else f", {share:.0%} of it, for no flap fits on less"
+            notes.append(f"{' and '.join(names)}: strips of the face reach for their hinge{more}")
+    return notes

@@ -39,6 +39,9 @@ class PatchSettings:
         Colour of the side of the paper that is not printed, as #rrggbb; None for plain paper.
     within_face:
         Ids of patches that must stay within their faces: what verification found in the way.
+    held:
+        Pairs of patch ids whose hinge must have twice as much of its line, each time that they are listed: no flap
+        fitted on less.
     """
 
     dpi: float = 300.0
@@ -53,6 +56,11 @@ class PatchSettings:
     base: str = "outline"
     reverse: str | None = None
     within_face: frozenset[str] = field(default_factory=frozenset)
+    held: tuple[frozenset[str], ...] = ()
+
+    def share(self, patches: frozenset[str]) -> float:
+        """Share of its line that the hinge between two patches must have, 0..1."""
+        return min(self.least_share * 2.0 ** self.held.count(patches), 1.0)
 
     def __post_init__(self) -> None:
         if not 30 <= self.dpi <= 1200:

@@ -5,7 +5,7 @@ from itertools import pairwise
 import pytest
 
 from popsim.design import Card, Design
-from popsim.layout import LayoutError, lay_out
+from popsim.layout import NoFlapError, lay_out
 from popsim.mechanisms import assemble, card_pair
 from popsim.mechanisms.box_fold import BoxFold, Top
 
@@ -31,7 +31,9 @@ def test_a_net_is_opened_beside_a_flap_that_finds_no_room(ends: tuple[float, flo
 
 def test_what_no_flap_can_hold_is_refused_with_its_length() -> None:
     with pytest.raises(
-        LayoutError, match=r"no flap fits between .* on its 0\.4 mm; make the hinge longer"
+        NoFlapError, match=r"no flap fits between .* on its 0\.4 mm; make the hinge longer"
     ) as error:
         lay_out(stepped((20.5, 20.9, 21.3), (-20, -4, 0.1, 15)))
     assert "\n" not in str(error.value)
+    assert error.value.between == " and ".join(sorted(error.value.patches))
+    assert len(error.value.patches) == 2
