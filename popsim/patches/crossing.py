@@ -1,6 +1,6 @@
 """Two patches that both reach beyond their common hinge would cut through each other."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from itertools import combinations
 from typing import TYPE_CHECKING
@@ -43,6 +43,14 @@ class Meeting:
     def runs(self) -> list[Run]:
         """The axis on each of the pieces."""
         return [Run.of(piece, self.axis) for piece in self.pieces]
+
+    def through(self, meetings: Iterable["Meeting"]) -> list[Run]:
+        """The axis on pieces inside that are hinged to one of these, on the same axis, in one of some meetings."""
+        own = {id(piece) for piece in self.pieces}
+        same = [other for other in meetings if np.allclose(other.axis, self.axis)]
+        beside = [other for other in same if own & {id(piece) for piece in other.pieces}]
+        pieces = {id(piece): piece for other in beside for piece in other.pieces if not piece.plate.principal}
+        return [Run.of(piece, self.axis) for key, piece in pieces.items() if key not in own]
 
 
 def uncross(meetings: Sequence[Meeting]) -> None:

@@ -111,7 +111,8 @@ def _joined(mechanisms: Sequence[Mechanism], pieces: Mapping[str, Piece], settin
     notes = []
     for names, meeting in meetings.items():
         share = settings.share(frozenset(names))
-        if hold(meeting.runs(), replace(settings, least_share=share), snaps[names]):
+        through = meeting.through(meetings.values())
+        if hold(meeting.runs(), replace(settings, least_share=share), snaps[names], through):
             more = "" if share == settings.least_share else f", {share:.0%} of it, for no flap fits on less"
             notes.append(f"{' and '.join(names)}: strips of the face reach for their hinge{more}")
     return notes

@@ -110,12 +110,13 @@ class Run:
         return common(Polygon([start, *far, end]).buffer(0), self.piece.face)
 
 
-def hold(runs: list[Run], settings: PatchSettings, snap: float | None = None) -> bool:
+def hold(runs: list[Run], settings: PatchSettings, snap: float | None = None, through: Sequence[Run] = ()) -> bool:
     """Give the pieces at a joint paper along its line where they hold; return whether strips had to be added.
 
     The outline goes to the line where it comes nearer than `snap` (None: that of the settings); if that is too
     little of the line, ever farther stretches of it are joined to the line, the nearest ones first. Where a fin
-    passes the line there will be a slit: the hinge is held beside it, as far as there is room.
+    passes the line there will be a slit: the hinge is held beside it, as far as there is room. The fin may be one
+    of the pieces, or hinged to one of them on the same line: `through`.
     """
     snap = settings.snap if snap is None else snap
     length = runs[0].length
@@ -123,7 +124,7 @@ def hold(runs: list[Run], settings: PatchSettings, snap: float | None = None) ->
     along = np.asarray((np.arange(count) + 0.5) * (length / count), np.float64)
     each = [run.distances(along) for run in runs]
     cost = np.max(each, axis=0)
-    free = ~_pierced(runs, along)
+    free = ~_pierced([*runs, *through], along)
     beside = free.sum() * length / count >= least_hold(length, settings)
     near = _near(np.where(free, cost, np.inf) if beside else cost, along, length, snap, settings)
     stretches = _stretches(near, along, length, settings)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from popsim.mechanisms import Mechanism
+from popsim.mechanisms import Joint, Mechanism
 from popsim.patches.clean import polygons, tidy, union, without
 from popsim.patches.crossing import beyond, touched
 from popsim.patches.hold import WITHIN, Run, least_hold
@@ -51,13 +51,23 @@ def cut_slits(
                 continue
             for inner, outer in (names, names[::-1]):
                 if not pieces[inner].plate.principal and pieces[outer].plate.principal:
-                    slit(Run.of(pieces[inner], joint.axis), Run.of(pieces[outer], joint.axis), outlines, settings)
+                    mates = _mates(mechanism, joint, pieces, {inner, outer})
+                    slit(
+                        Run.of(pieces[inner], joint.axis),
+                        Run.of(pieces[outer], joint.axis),
+                        mates,
+                        outlines,
+                        settings,
+                    )
 
 
-def slit(fin: Run, host: Run, outlines: dict[str, "Polygon"], settings: PatchSettings) -> None:
+def slit(
+    fin: Run, host: Run, mates: Sequence[Run], outlines: dict[str, "Polygon"], settings: PatchSettings
+) -> None:
     """Cut the slits of one fin along one line into the outline of the host.
 
-    Where they would leave too little of the hinge, the fin gets a narrower neck or, at last, is cut off.
+    Where they would leave too little of the hinge, or of those of the host with `mates` on the same line, the fin
+    gets a narrower neck or, at last, is cut off.
     """
     if fin.inward is None or host.inward is None:
         return
@@ -67,13 +77,32 @@ def slit(fin: Run, host: Run, outlines: dict[str, "Polygon"], settings: PatchSet
         return
     plain = _whole(fin, without(outlines[inner], beyond(fin, fin.inward)))
     least = least_hold(fin.length, settings)
-    lack = least - _held(fin, host, plain, without(outlines[outer], _slits(host, spans)))
+    hinges = [(fin, plain, least)]
+    for mate in mates:
+        outline = outlines[mate.piece.id]
+        hinges.append((mate, outline, min(least, _held(mate, host, outline, outlines[outer]))))
+
+    def lacking(left: "BaseGeometry") -> float:
+        """How much of its line the worst hinge lacks, mm, with the host cut to `left`."""
+        return max(needed - _held(run, host, outline, left) for run, outline, needed in hinges)
+
+    lack = lacking(without(outlines[outer], _slits(host, spans)))
     choices = [outlines[inner]] if lack <= 0 else [*_necked(fin, outlines[inner], spans, lack), plain]
     for choice in choices:
         left = polygons(without(outlines[outer], _slits(host, _spans(fin, choice))))
-        if left and (choice is plain or _held(fin, host, plain, left[0]) >= least):
+        if left and (choice is plain or lacking(left[0]) <= 0):
             outlines[inner], outlines[outer] = choice, tidy(left[0])
             return
+
+
+def _mates(mechanism: Mechanism, joint: Joint, pieces: Mapping[str, Piece], but: set[str]) -> list[Run]:
+    """What else is hinged on the line of a joint, on that line."""
+    found = []
+    for other in mechanism.joints():
+        names = [mechanism.patch_id(role) for role in other.roles]
+        if but & set(names) and np.allclose(other.axis, joint.axis):
+            found += [Run.of(pieces[name], joint.axis) for name in names if name in pieces and name not in but]
+    return found
 
 
 def _necked(fin: Run, outline: "Polygon", spans: Sequence[tuple[float, float]], lack: float) -> list["Polygon"]:

@@ -219,9 +219,38 @@ def test_a_fin_that_is_cut_takes_no_other_hinge_along():
     host = piece(box(0, 30, 100, 40), face=(0, 30, 100, 40), name="T")
     top = LINE + np.array([0.0, 0.0, 40.0])
     outlines = {"C": arch, "T": host.shape}
-    slit(Run.of(inside, top), Run.of(host, top), outlines, SETTINGS)
+    slit(Run.of(inside, top), Run.of(host, top), [], outlines, SETTINGS)
     assert outlines["C"].geom_type == outlines["T"].geom_type == "Polygon"
     assert all(outlines["C"].buffer(0.01).contains(strip) for strip in inside.held)
+
+
+@pytest.mark.parametrize("mated", [False, True])
+def test_no_fin_takes_the_crease_of_what_it_passes(mated):
+    top = LINE + np.array([0.0, 0.0, 40.0])
+    body = box(0, 0, 100, 40)
+    inside = piece(union(body, box(10, 40, 30, 70)), face=(0, 0, 100, 40), principal=False, name="C")
+    host, mate = (
+        piece(shape, face=(0, 30, 100, 40), name=name)
+        for name, shape in (("T", box(0, 30, 100, 40)), ("U", box(8, 30, 34, 40)))
+    )
+    outlines = {each.id: each.shape for each in (inside, host, mate)}
+    mates = [Run.of(mate, top)] if mated else []
+    slit(Run.of(inside, top), Run.of(host, top), mates, outlines, SETTINGS)
+    left = outlines["T"].intersection(outlines["U"]).intersection(box(0, 39.5, 100, 39.9)).area / 0.4
+    assert (outlines["C"].bounds[3] == 70) == (not mated)
+    assert left == pytest.approx(26 if mated else 5, abs=1)
+
+
+def test_a_crease_is_held_beside_a_fin_that_rises_through_it():
+    top = LINE + np.array([0.0, 0.0, 40.0])
+    inside = piece(union(box(0, 0, 100, 40), box(10, 40, 60, 70)), face=(0, 0, 100, 40), principal=False, name="C")
+    tops = [piece(box(0, 10, 100, 30), face=(0, 10, 100, 40), name=name) for name in ("T", "U")]
+    crease, stand = Meeting(top, tops), Meeting(top, [tops[0], inside])
+    assert [run.piece.id for run in crease.through([crease, stand])] == ["C"]
+    assert stand.through([crease, stand]) == []
+    hold(crease.runs(), SETTINGS, through=crease.through([crease, stand]))
+    for own in tops:
+        assert not own.shape.intersects(box(12, 39, 58, 40)) and own.shape.intersects(box(61, 39, 90, 40))
 
 
 def test_nothing_at_all_gives_the_plain_face_with_a_note():
