@@ -14,7 +14,7 @@ from popsim.fitting.refit import Climber, Value
 from popsim.fitting.settings import FitSettings
 from popsim.fitting.subject import Subject
 
-ROUNDS = ((3, 40), (1, 20))
+ROUNDS = ((5, 40), (1, 20))
 """How many starts are refitted, with how many evaluations each; then how many of these further, with how many."""
 
 LAST_BUDGET = 160
