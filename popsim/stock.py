@@ -49,6 +49,12 @@ NEAR_EDGE = 1.5
 HINGE_SHARE, HINGE_LENGTH = 0.25, 6.0
 """A hinge holds where it has this share of its line, and this many mm of it (or all of a shorter line)."""
 
+
+def least_hold(length: float, share: float = HINGE_SHARE, least: float = HINGE_LENGTH) -> float:
+    """How much of a line of some length must be held for its hinge to hold, in the unit of both lengths."""
+    return min(length, max(least, share * length))
+
+
 CreaseAdvice = Literal["fold", "score", "perforate"]
 
 _RANGES = {

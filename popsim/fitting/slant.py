@@ -47,12 +47,8 @@ class Slant:
         return normal
 
     def seen(self, points: FloatArray) -> FloatArray:
-        """Coordinates s and t of points (n, 3); shape (n, 2)."""
-        return np.asarray(points[:, ACROSS[self.axis]])
-
-    def lines(self, ends: FloatArray) -> FloatArray:
-        """Coordinates s and t of the ends of lines (k, 2, 3); shape (k, 2, 2)."""
-        return np.asarray(ends[..., ACROSS[self.axis]])
+        """Coordinates s and t of points (..., 3); shape (..., 2)."""
+        return np.asarray(points[..., ACROSS[self.axis]])
 
     def along(self, s: FloatArray, t: FloatArray) -> FloatArray:
         """Coordinate along the axis; any shapes that broadcast."""

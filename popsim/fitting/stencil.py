@@ -71,7 +71,7 @@ class Stencil:
         if plate.principal and np.count_nonzero(shown) < SPARSE * np.count_nonzero(inside):
             shown = inside
         elif plate.principal:
-            add_strips(shown, slant.lines(plate.hinges), low, grain, inside)
+            add_strips(shown, slant.seen(plate.hinges), low, grain, inside)
         return Stencil(slant, low, grain, shown | (_attached(shown, inside, beyond, fronts.pixel) & ~inside))
 
     @property

@@ -3,7 +3,7 @@
 import numpy as np
 
 from popsim.geometry.arrays import BoolArray, FloatArray, IntArray
-from popsim.stock import HINGE_LENGTH, HINGE_SHARE, NEAR_EDGE
+from popsim.stock import HINGE_LENGTH, NEAR_EDGE, least_hold
 
 STRAIGHT = 1e-6
 """mm; lines that leave the rows and columns of the cells by more are left alone."""
@@ -44,7 +44,7 @@ def _hold(shown: BoolArray, inside: BoolArray, span: tuple[float, float], at: fl
     if above == below:
         return
     cells = shown[first:last, border:] if above else shown[first:last, border - 1 :: -1]
-    needed = min(last - first, int(np.ceil(max(HINGE_LENGTH / side, HINGE_SHARE * (last - first)))))
+    needed = int(np.ceil(least_hold(last - first, least=HINGE_LENGTH / side)))
     deep = _depths(cells, max(round(NEAR_EDGE / side), 1))
     if np.count_nonzero(deep == 0) >= needed:
         return

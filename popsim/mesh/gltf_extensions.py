@@ -2,7 +2,7 @@
 
 import json
 import struct
-from typing import Any
+from typing import Any, NamedTuple
 
 READ = frozenset({"KHR_draco_mesh_compression", "KHR_mesh_quantization", "EXT_texture_webp"})
 """Extensions that change what is read from the file, and are followed."""
@@ -19,8 +19,23 @@ TEXTURES = ("KHR_texture_", "EXT_texture_", "MSFT_texture_")
 _GLB, _JSON = b"glTF", b"JSON"
 
 
-def unread_extensions(data: bytes) -> list[str]:
-    """Return the names of the extensions that a glTF or GLB file requires and popsim does not read.
+class Unread(NamedTuple):
+    """Names of the extensions that a file requires and popsim does not read.
+
+    Attributes
+    ----------
+    refused:
+        Those without which its shape is another.
+    textures:
+        Those that change how textures are stored or laid; the model is read without.
+    """
+
+    refused: list[str]
+    textures: list[str]
+
+
+def unread_extensions(data: bytes) -> Unread:
+    """Return what a glTF or GLB file requires and popsim does not read.
 
     Parameters
     ----------
@@ -28,21 +43,13 @@ def unread_extensions(data: bytes) -> list[str]:
         The file. One that is damaged requires nothing: the reader has more to say about it.
     """
     tree = _tree(data)
-    names = _required(tree)
-    unread = [name for name in names if name not in READ and not name.startswith((*LOOKS, *TEXTURES))]
-    if QUANTIZED in names and _has_normalized_coordinates(tree):
-        unread.append(QUANTIZED)
-    return unread
-
-
-def unread_textures(data: bytes) -> list[str]:
-    """Return the names of those that change how textures are stored or laid, and are passed over."""
-    return [name for name in _required(_tree(data)) if name not in READ and name.startswith(TEXTURES)]
-
-
-def _required(tree: dict[str, Any]) -> list[str]:
     required = tree.get("extensionsRequired")
-    return [str(name) for name in required] if isinstance(required, list) else []
+    names = [str(name) for name in required] if isinstance(required, list) else []
+    left = [name for name in names if name not in READ and not name.startswith(LOOKS)]
+    refused = [name for name in left if not name.startswith(TEXTURES)]
+    if QUANTIZED in names and _has_normalized_coordinates(tree):
+        refused.append(QUANTIZED)
+    return Unread(refused, [name for name in left if name.startswith(TEXTURES)])
 
 
 def _tree(data: bytes) -> dict[str, Any]:

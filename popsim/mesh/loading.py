@@ -17,7 +17,7 @@ from popsim.geometry.arrays import FloatArray
 from popsim.geometry.surface import Material, Surface
 from popsim.mesh.cleaning import usable_triangles
 from popsim.mesh.formats import ModelFormat, format_of
-from popsim.mesh.gltf_extensions import unread_extensions, unread_textures
+from popsim.mesh.gltf_extensions import Unread, unread_extensions
 from popsim.mesh.materials import Look, look_of
 from popsim.mesh.model import Model
 
@@ -52,12 +52,14 @@ def load_model(path: Path | str) -> Model:
     data = read_bytes(path, "model")
     if not data.strip():
         raise MeshError(f"{path.name}: the file is empty")
-    if known.extensible and (unread := unread_extensions(data)):
-        raise MeshError(_extended(path, unread))
+    unread = unread_extensions(data) if known.extensible else Unread([], [])
+    if unread.refused:
+        raise MeshError(_extended(path, unread.refused))
     linear = known.linear_colours and _DISPLAY_COLOUR_WRITER not in data
     with _quiet():
         meshes, notes = _parse(path, known, data)
-        notes += _textures_passed_over(known, data)
+        lack = "is not read; textures may be missing or out of place"
+        notes += [f"the glTF extension {name} {lack}" for name in unread.textures]
         parts = [_part(mesh, visual, linear=linear) for mesh, visual in meshes]
     corners = np.concatenate([c for c, _ in parts]) if parts else np.zeros((0, 3, 3))
     keep, dropped = usable_triangles(corners, path)
@@ -89,12 +91,6 @@ def _parse(path: Path, known: ModelFormat, data: bytes) -> tuple[list[tuple[Any,
     notes = [f"'{name}' {beside}" for name in resolver.missing]
     notes += [f"'{name}' is not an image; plain colours are used instead" for name in resolver.unreadable]
     return meshes, notes
-
-
-def _textures_passed_over(known: ModelFormat, data: bytes) -> list[str]:
-    """What the textures of a model may lack, one sentence for each extension."""
-    names = unread_textures(data) if known.extensible else []
-    return [f"the glTF extension {name} is not read; textures may be missing or out of place" for name in names]
 
 
 def _in_place(scene: Any) -> list[tuple[Any, Any]]:

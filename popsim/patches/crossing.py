@@ -12,6 +12,7 @@ from popsim.geometry.plane import line_distance
 from popsim.patches.clean import common, without
 from popsim.patches.hold import Run
 from popsim.patches.piece import Piece
+from popsim.stock import NEAR_EDGE
 
 if TYPE_CHECKING:
     from shapely.geometry import Polygon
@@ -35,21 +36,35 @@ TOUCH = 0.5
 
 @dataclass(frozen=True, eq=False)
 class Meeting:
-    """Pieces that are hinged along an axis, shape (2, 3)."""
+    """Pieces that are hinged along an axis.
+
+    Attributes
+    ----------
+    axis:
+        Ends of the line in the open pose, shape (2, 3).
+    pieces:
+        Those of them that are cut.
+    names:
+        Ids of both patches.
+    snap:
+        Outlines nearer than this reach the line, mm.
+    """
 
     axis: FloatArray
     pieces: list[Piece]
+    names: tuple[str, ...] = ()
+    snap: float = NEAR_EDGE
 
     def runs(self) -> list[Run]:
         """The axis on each of the pieces."""
         return [Run.of(piece, self.axis) for piece in self.pieces]
 
-    def through(self, meetings: Iterable["Meeting"]) -> list[Run]:
-        """The axis on pieces inside that are hinged to one of these, on the same axis, in one of some meetings."""
+    def mates(self, meetings: Iterable["Meeting"]) -> list[Run]:
+        """The axis on what else is hinged to one of these on the same axis, in one of some meetings."""
         own = {id(piece) for piece in self.pieces}
-        same = [other for other in meetings if np.allclose(other.axis, self.axis)]
-        beside = [other for other in same if own & {id(piece) for piece in other.pieces}]
-        pieces = {id(piece): piece for other in beside for piece in other.pieces if not piece.plate.principal}
+        beside = [other for other in meetings if own & {id(piece) for piece in other.pieces}]
+        same = [other for other in beside if np.allclose(other.axis, self.axis)]
+        pieces = {id(piece): piece for other in same for piece in other.pieces}
         return [Run.of(piece, self.axis) for key, piece in pieces.items() if key not in own]
 
 

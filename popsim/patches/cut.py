@@ -76,12 +76,14 @@ def cut(
     with ThreadPoolExecutor(THREADS) as pool:  # rays and overlays free the interpreter
         list(pool.map(find, pieces.values()))
     coverage = {mechanism.id: _coverage(mechanism, pieces) for mechanism in mechanisms}
-    notes = _joined(mechanisms, pieces, settings)
+    meetings = _meetings(mechanisms, pieces, settings)
+    uncross(meetings)
+    notes = _held(meetings, settings)
     outlines: dict[str, Polygon] = {}
     for name, piece in pieces.items():
         outlines[name], own = finished(piece, settings)
         notes += own
-    cut_slits(mechanisms, pieces, outlines, settings)
+    cut_slits(meetings, outlines, settings)
     return Cut(pieces, outlines, tuple(notes), coverage)
 
 
@@ -97,22 +99,27 @@ def _coverage(mechanism: Mechanism, pieces: Mapping[str, Piece]) -> float:
     return float(seen / sum(piece.face.area for piece in shown))
 
 
-def _joined(mechanisms: Sequence[Mechanism], pieces: Mapping[str, Piece], settings: PatchSettings) -> list[str]:
-    """Paper for all hinges, and no two patches through each other; returns notes."""
-    meetings: dict[tuple[str, ...], Meeting] = {}
-    snaps: dict[tuple[str, ...], float] = {}
+def _meetings(
+    mechanisms: Sequence[Mechanism], pieces: Mapping[str, Piece], settings: PatchSettings
+) -> list[Meeting]:
+    """The lines of all joints, with the pieces that are hinged there."""
+    found = []
     for mechanism in mechanisms:
         for joint in mechanism.joints():
             names = tuple(mechanism.patch_id(role) for role in joint.roles)
-            meetings[names] = Meeting(joint.axis, [pieces[name] for name in names if name in pieces])
             stands = FIRST_BASE in joint.roles or SECOND_BASE in joint.roles
-            snaps[names] = settings.snap if stands else settings.seam
-    uncross(list(meetings.values()))
+            snap = settings.snap if stands else settings.seam
+            found.append(Meeting(joint.axis, [pieces[name] for name in names if name in pieces], names, snap))
+    return found
+
+
+def _held(meetings: Sequence[Meeting], settings: PatchSettings) -> list[str]:
+    """Paper for all hinges; returns notes."""
     notes = []
-    for names, meeting in meetings.items():
-        share = settings.share(frozenset(names))
-        through = meeting.through(meetings.values())
-        if hold(meeting.runs(), replace(settings, least_share=share), snaps[names], through):
+    for meeting in meetings:
+        share = settings.share(frozenset(meeting.names))
+        strips = hold(meeting.runs(), replace(settings, least_share=share), meeting.snap, meeting.mates(meetings))
+        if strips:
             more = "" if share == settings.least_share else f", {share:.0%} of it, for no flap fits on less"
-            notes.append(f"{' and '.join(names)}: strips of the face reach for their hinge{more}")
+            notes.append(f"{' and '.join(meeting.names)}: strips of the face reach for their hinge{more}")
     return notes

@@ -110,13 +110,13 @@ class Run:
         return common(Polygon([start, *far, end]).buffer(0), self.piece.face)
 
 
-def hold(runs: list[Run], settings: PatchSettings, snap: float | None = None, through: Sequence[Run] = ()) -> bool:
+def hold(runs: list[Run], settings: PatchSettings, snap: float | None = None, mates: Sequence[Run] = ()) -> bool:
     """Give the pieces at a joint paper along its line where they hold; return whether strips had to be added.
 
     The outline goes to the line where it comes nearer than `snap` (None: that of the settings); if that is too
     little of the line, ever farther stretches of it are joined to the line, the nearest ones first. Where a fin
     passes the line there will be a slit: the hinge is held beside it, as far as there is room. The fin may be one
-    of the pieces, or hinged to one of them on the same line: `through`.
+    of the pieces, or of the `mates`, which are hinged to one of them on the same line.
     """
     snap = settings.snap if snap is None else snap
     length = runs[0].length
@@ -124,8 +124,8 @@ def hold(runs: list[Run], settings: PatchSettings, snap: float | None = None, th
     along = np.asarray((np.arange(count) + 0.5) * (length / count), np.float64)
     each = [run.distances(along) for run in runs]
     cost = np.max(each, axis=0)
-    free = ~_pierced([*runs, *through], along)
-    beside = free.sum() * length / count >= least_hold(length, settings)
+    free = ~_pierced(runs, mates, along)
+    beside = free.sum() * length / count >= settings.least_hold(length)
     near = _near(np.where(free, cost, np.inf) if beside else cost, along, length, snap, settings)
     stretches = _stretches(near, along, length, settings)
     for run, distance in zip(runs, each, strict=True):
@@ -137,23 +137,18 @@ def hold(runs: list[Run], settings: PatchSettings, snap: float | None = None, th
     return bool(cost[near].max() > snap)
 
 
-def _pierced(runs: Sequence[Run], along: FloatArray) -> BoolArray:
+def _pierced(runs: Sequence[Run], mates: Sequence[Run], along: FloatArray) -> BoolArray:
     """Places at which a patch inside goes on beyond the line where one that is seen ends, which will be slit."""
     import shapely
 
     found = np.zeros(len(along), dtype=bool)
     if not any(run.piece.plate.principal for run in runs):
         return found
-    for run in runs:
+    for run in (*runs, *mates):
         if not run.piece.plate.principal and run.inward is not None:
             above = run.places(along) - RISEN * run.inward
             found |= shapely.contains_xy(run.piece.shape.buffer(RISEN), *above.T)
     return found
-
-
-def least_hold(length: float, settings: PatchSettings) -> float:
-    """How much of a line of some length must be held for its hinge to hold, mm."""
-    return min(length, max(settings.least_length, settings.least_share * length))
 
 
 def _near(cost: FloatArray, along: FloatArray, length: float, snap: float, settings: PatchSettings) -> BoolArray:
@@ -161,7 +156,7 @@ def _near(cost: FloatArray, along: FloatArray, length: float, snap: float, setti
 
     The rest are taken nearest to the line first; of those equally near, the ones beside places taken already.
     """
-    needed = least_hold(length, settings) - ROUNDING
+    needed = settings.least_hold(length) - ROUNDING
     near = cost <= snap
     seeds = along[near] if near.any() else along[cost.argmin()][None]
     aside = np.abs(along[:, None] - seeds[None, :]).min(axis=1)

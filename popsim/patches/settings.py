@@ -3,7 +3,7 @@
 from dataclasses import dataclass, field
 
 from popsim.errors import InputError
-from popsim.stock import HINGE_LENGTH, HINGE_SHARE, NEAR_EDGE, THINNEST_STRIP
+from popsim.stock import HINGE_LENGTH, HINGE_SHARE, NEAR_EDGE, THINNEST_STRIP, least_hold
 
 MM_PER_INCH = 25.4
 
@@ -58,10 +58,6 @@ class PatchSettings:
     within_face: frozenset[str] = field(default_factory=frozenset)
     held: tuple[frozenset[str], ...] = ()
 
-    def share(self, patches: frozenset[str]) -> float:
-        """Share of its line that the hinge between two patches must have, 0..1."""
-        return min(self.least_share * 2.0 ** self.held.count(patches), 1.0)
-
     def __post_init__(self) -> None:
         if not 30 <= self.dpi <= 1200:
             raise InputError(f"textures need 30 to 1200 dpi, not {self.dpi:g}")
@@ -81,3 +77,11 @@ class PatchSettings:
     def print_pixel(self) -> float:
         """Side of a printed pixel, mm."""
         return MM_PER_INCH / self.dpi
+
+    def share(self, patches: frozenset[str]) -> float:
+        """Share of its line that the hinge between two patches must have, 0..1."""
+        return min(self.least_share * 2.0 ** self.held.count(patches), 1.0)
+
+    def least_hold(self, length: float) -> float:
+        """How much of a line of some length, mm, must be held for its hinge to hold, mm."""
+        return least_hold(length, self.least_share, self.least_length)

@@ -4,17 +4,16 @@ Where too little of the hinge would be left, the fin stands on a narrower neck; 
 none.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Sequence
+from itertools import permutations
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from popsim.mechanisms import Joint, Mechanism
 from popsim.patches.clean import polygons, tidy, union, without
-from popsim.patches.crossing import beyond, touched
-from popsim.patches.hold import WITHIN, Run, least_hold
+from popsim.patches.crossing import Meeting, beyond, touched
+from popsim.patches.hold import WITHIN, Run
 from popsim.patches.one_piece import in_one_piece
-from popsim.patches.piece import Piece
 from popsim.patches.settings import PatchSettings
 
 if TYPE_CHECKING:
@@ -37,28 +36,12 @@ PLAY = 0.5
 """mm by which a slit is longer than its fin at either end."""
 
 
-def cut_slits(
-    mechanisms: Sequence[Mechanism],
-    pieces: Mapping[str, Piece],
-    outlines: dict[str, "Polygon"],
-    settings: PatchSettings,
-) -> None:
+def cut_slits(meetings: Collection[Meeting], outlines: dict[str, "Polygon"], settings: PatchSettings) -> None:
     """Cut slits for the fins of patches inside into the outlines of what is hinged to them, in place."""
-    for mechanism in mechanisms:
-        for joint in mechanism.joints():
-            names = [mechanism.patch_id(role) for role in joint.roles]
-            if any(name not in pieces for name in names):
-                continue
-            for inner, outer in (names, names[::-1]):
-                if not pieces[inner].plate.principal and pieces[outer].plate.principal:
-                    mates = _mates(mechanism, joint, pieces, {inner, outer})
-                    slit(
-                        Run.of(pieces[inner], joint.axis),
-                        Run.of(pieces[outer], joint.axis),
-                        mates,
-                        outlines,
-                        settings,
-                    )
+    for meeting in meetings:
+        for fin, host in permutations(meeting.runs(), 2):
+            if not fin.piece.plate.principal and host.piece.plate.principal:
+                slit(fin, host, meeting.mates(meetings), outlines, settings)
 
 
 def slit(
@@ -76,7 +59,7 @@ def slit(
     if not spans:
         return
     plain = _whole(fin, without(outlines[inner], beyond(fin, fin.inward)))
-    least = least_hold(fin.length, settings)
+    least = settings.least_hold(fin.length)
     hinges = [(fin, plain, least)]
     for mate in mates:
         outline = outlines[mate.piece.id]
@@ -93,16 +76,6 @@ def slit(
         if left and (choice is plain or lacking(left[0]) <= 0):
             outlines[inner], outlines[outer] = choice, tidy(left[0])
             return
-
-
-def _mates(mechanism: Mechanism, joint: Joint, pieces: Mapping[str, Piece], but: set[str]) -> list[Run]:
-    """What else is hinged on the line of a joint, on that line."""
-    found = []
-    for other in mechanism.joints():
-        names = [mechanism.patch_id(role) for role in other.roles]
-        if but & set(names) and np.allclose(other.axis, joint.axis):
-            found += [Run.of(pieces[name], joint.axis) for name in names if name in pieces and name not in but]
-    return found
 
 
 def _necked(fin: Run, outline: "Polygon", spans: Sequence[tuple[float, float]], lack: float) -> list["Polygon"]:

@@ -68,9 +68,9 @@ def _changes(monkeypatch):
         note(piece.id, shapely.union_all(parts), shapely.Polygon() if outline is None else outline)
         return outline, notes
 
-    def noted_slits(mechanisms, pieces, outlines, settings):
+    def noted_slits(meetings, outlines, settings):
         before = dict(outlines)
-        slit(mechanisms, pieces, outlines, settings)
+        slit(meetings, outlines, settings)
         for name in outlines:
             note(name, before[name], outlines[name])
 

@@ -246,9 +246,9 @@ def test_a_crease_is_held_beside_a_fin_that_rises_through_it():
     inside = piece(union(box(0, 0, 100, 40), box(10, 40, 60, 70)), face=(0, 0, 100, 40), principal=False, name="C")
     tops = [piece(box(0, 10, 100, 30), face=(0, 10, 100, 40), name=name) for name in ("T", "U")]
     crease, stand = Meeting(top, tops), Meeting(top, [tops[0], inside])
-    assert [run.piece.id for run in crease.through([crease, stand])] == ["C"]
-    assert stand.through([crease, stand]) == []
-    hold(crease.runs(), SETTINGS, through=crease.through([crease, stand]))
+    assert [run.piece.id for run in crease.mates([crease, stand])] == ["C"]
+    assert [run.piece.id for run in stand.mates([crease, stand])] == ["U"]
+    hold(crease.runs(), SETTINGS, mates=crease.mates([crease, stand]))
     for own in tops:
         assert not own.shape.intersects(box(12, 39, 58, 40)) and own.shape.intersects(box(61, 39, 90, 40))
 
