@@ -1,7 +1,7 @@
 """How far the patches of a box-fold may follow the contours of a model, and how deep the model shows on them.
 
 In skew coordinates sides, backbone and tops do not move, and each end pair sweeps outward between the two sides,
-lifted as it goes. So sides may rise above the tops, and reach as far along x as the pairs sweep; tops may reach
+lifted as it goes. So sides may rise above the tops, and reach along x where nothing else stands; tops may reach
 beyond the sides, but not along x, where a pair passes; pairs may rise above the top behind them, from which they
 move away. What of a pair is beyond a side turns about their hinge the other way: backward, and down. The backbone
 may rise through a slit between the two halves of a top as a fin, below the path of the pairs that sweep over it.
@@ -53,8 +53,7 @@ STEP_DEPTH = 0.25
 
 def side_room(box: "BoxFold", y: float) -> FloatArray:
     """Room of a side in the plane y, shape (4, 3)."""
-    low, high = box.closing_range()
-    x0, x1 = max(low, min(box.pair.x[0], box.x[0])), min(high, max(box.pair.x[1], box.x[1]))
+    x0, x1 = min(box.pair.x[0], box.x[0]), max(box.pair.x[1], box.x[1])
     z0 = box.pair.v
     z1 = z0 + box.height + RISE * box.half_width
     return np.array([[x0, y, z0], [x1, y, z0], [x1, y, z1], [x0, y, z1]])

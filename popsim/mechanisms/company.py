@@ -27,7 +27,8 @@ def plates_together(mechanisms: Sequence[Mechanism], depths: Depths = AS_THEY_AR
     """The plates of mechanisms with room for all of them, by mechanism id.
 
     Plates along the fold, sides as well as fins, do not rise over a top in the closing range of what stands on it
-    and on that: it would be in the way, and shows the same of the model. Eaves and ears end at the wall of a
+    and on that: it would be in the way, and shows the same of the model. Nor do they reach along the fold into the
+    range of what stands beside them on the same pair. Eaves and ears end at the wall of a
     corner in which another mechanism stands, near to that one.
 
     Parameters
@@ -47,6 +48,10 @@ def plates_together(mechanisms: Sequence[Mechanism], depths: Depths = AS_THEY_AR
             if other.pair.kind is PairKind.CORNER and _near(plate, other):
                 plate = _before(plate, other.pair)
         if abs(plate.outward[1]) > ALONG:
+            beside = [
+                other for other in mechanisms if other is not owner and other.pair.patches == owner.pair.patches
+            ]
+            plate = _between(plate, tuple(ranges[other.id] for other in beside))
             above = [other for other in carried[owner.id] if other.pair.kind is PairKind.OPENING]
             plate = _below(plate, tuple((*ranges[other.id], other.pair.v) for other in above))
         return _deepened(plate, *depths.get(owner.patch_id(plate.role), (1.0, 1.0)))
@@ -92,6 +97,20 @@ def _below(plate: Plate, taken: tuple[tuple[float, float, float], ...]) -> Plate
     parts = [part for part in getattr(left, "geoms", [left]) if part.intersects(face)]
     ring: FloatArray = np.array(max(parts, key=lambda part: part.area).exterior.coords)[:-1]
     return replace(plate, room=np.column_stack([ring[:, 0], np.full(len(ring), plate.outline[0, 1]), ring[:, 1]]))
+
+
+@lru_cache(maxsize=4096)
+def _between(plate: Plate, taken: tuple[tuple[float, float], ...]) -> Plate:
+    """A plate along the fold whose room ends where others stand on the same pair beside it."""
+    if not taken or plate.room is None:
+        return plate
+    x = plate.outline[:, 0]
+    first, last = x.min(), x.max()
+    low = max((high for _, high in taken if high <= first), default=-np.inf)
+    high = min((low for low, _ in taken if low >= last), default=np.inf)
+    room = plate.room.copy()
+    room[:, 0] = np.clip(room[:, 0], low, high)
+    return replace(plate, room=room)
 
 
 @lru_cache(maxsize=4096)

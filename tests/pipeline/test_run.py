@@ -6,12 +6,14 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import trimesh
 
 from popsim.geometry.rigid import transform
 from popsim.layout import LayoutSettings, find_paper
 from popsim.patches import PatchSettings
 from popsim.pipeline import DesignRun, RunSettings, run_design
 from popsim.pipeline.deliver import UNVERIFIED, deliver
+from popsim.pipeline.prepare import Stance
 from popsim.verification import Verdict, verify
 from popsim.verification.settings import Settings
 
@@ -55,6 +57,25 @@ def test_tall_model_is_made_smaller_and_says_so(models: Path) -> None:
     run = run_design(models / "tower" / "tower.ply", RunSettings(size=400.0, patches=QUICK))
     assert any("scaled to" in note for note in run.notes)
     assert run.verdict.passed
+
+
+def test_a_jib_becomes_part_of_the_sides_of_its_mast(tmp_path: Path) -> None:
+    crane = trimesh.util.concatenate(
+        [
+            trimesh.creation.box(bounds=np.array(bounds))
+            for bounds in (((-6, -6, 0), (6, 6, 120)), ((6, -6, 100), (90, 6, 112)), ((70, -6, 85), (78, 6, 100)))
+        ]
+    )
+    crane.export(tmp_path / "crane.stl")
+    run = run_design(tmp_path / "crane.stl", RunSettings(stance=Stance(up="z"), patches=QUICK))
+    assert run.verdict.passed
+    assert [mechanism.type for mechanism in run.fit.mechanisms] == ["box-fold"]
+    box, shapes = run.fit.mechanisms[0], run.painted.shapes
+    low, high = box.face_box()[:, 0]
+    for side in ("M1.L", "M1.R"):
+        reach = np.ptp(shapes[side].outline[:, 0])
+        assert reach > 2 * (high - low)
+    assert run.fit.likeness.silhouette > 0.8
 
 
 def test_what_failed_is_not_exported_but_reported(truck: DesignRun, refusal: Verdict, tmp_path: Path) -> None:
