@@ -9,6 +9,7 @@ from popsim.errors import InputError
 
 if TYPE_CHECKING:
     from popsim.fitting import Weights, Wishes
+    from popsim.mesh.alignment import Fold
     from popsim.pipeline.prepare import Scale
     from popsim.pipeline.wishes import Hand
 
@@ -50,6 +51,18 @@ def chosen_size(size: str | None, scale: str | None, hand: "Hand") -> tuple["flo
     if scale is not None:
         return Scale(parse_scale(scale, "--scale")), True
     return (USUAL_SIZE, False) if stated is None else (stated, True)
+
+
+def chosen_fold(option: "Fold", hand: "Hand") -> "Fold":
+    """Return the side along which the fold runs; InputError where --fold and --wishes state different ones."""
+    if hand.fold is None or option == hand.fold:
+        return option
+    if option != "auto":
+        raise InputError(
+            f"the wishes are stated for a fold along the {hand.fold} side; leave out --fold, or change it there, "
+            "with all that is stated in the card's frame"
+        )
+    return hand.fold
 
 
 def most_patches(option: int | None, hand: "Hand") -> int:

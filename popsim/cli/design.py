@@ -116,7 +116,7 @@ def design(
 
     Exit code 0: designed and verified. 1: it does not fold, see the report. 2: something is wrong with the input.
     """
-    from popsim.cli.choices import chosen_size, chosen_wishes, most_patches, parse_weights, read_hand
+    from popsim.cli.choices import chosen_fold, chosen_size, chosen_wishes, most_patches, parse_weights, read_hand
     from popsim.fitting import FitSettings
     from popsim.layout import LayoutSettings
     from popsim.pipeline import RunSettings, Stance
@@ -128,7 +128,7 @@ def design(
     hand = read_hand(wishes)
     chosen, exact = chosen_size(size, scale, hand)
     settings = RunSettings(
-        stance=Stance(up, front, align, fold.value),
+        stance=Stance(up, front, align, chosen_fold(fold.value, hand)),
         fit=FitSettings(
             detail, most_patches(max_patches, hand), parse_weights(weights), chosen_wishes(hand, forbid or ())
         ),

@@ -12,7 +12,7 @@ fits to points of its surface (Eq. 1, :mod:`popsim.fitting.ransac`). What looks 
 (:mod:`popsim.fitting.refit`), and the report says how it was begun.
 """
 
-from popsim.fitting.fit import Fit, fit
+from popsim.fitting.fit import Fit, fit, fit_best
 from popsim.fitting.ransac import Weights
 from popsim.fitting.settings import FitSettings
 from popsim.fitting.subject import Subject
@@ -29,5 +29,6 @@ __all__ = [
     "Weights",
     "Wishes",
     "fit",
+    "fit_best",
     "measure_volume",
 ]

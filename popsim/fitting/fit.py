@@ -5,24 +5,15 @@ from dataclasses import dataclass, replace
 
 from popsim.design import Card
 from popsim.errors import GeometryError, MeshError
-from popsim.fitting.appearance import Appearance, Likeness
+from popsim.fitting.appearance import Likeness
 from popsim.fitting.candidate import Candidate, build
-from popsim.fitting.depths import deepened
-from popsim.fitting.kept import first_candidate
-from popsim.fitting.lookahead import two_processes
 from popsim.fitting.mapping import error_cover, mappings
-from popsim.fitting.refit import Value, valued
+from popsim.fitting.outset import Outset
 from popsim.fitting.scale import scaled_node
 from popsim.fitting.search import search
 from popsim.fitting.settings import FitSettings
 from popsim.fitting.subject import Subject
 from popsim.mechanisms import Depths, Mechanism, Primitive
-
-FINE = 2
-"""Times as many pixels a side by which borders find their last place."""
-
-THINNEST = 0.03
-"""Least extent of a prism or a step, as a share of the model's longest side: 4.5 mm on 150, for scissors."""
 
 
 @dataclass(frozen=True)
@@ -58,7 +49,7 @@ class Fit:
     closed_gap:
         Gaps up to this were taken as solid to find the shape, mm; 0 where none were.
     begun:
-        What the search went out from (:class:`popsim.fitting.search.Manner`), or "kept".
+        What the search went out from (:class:`popsim.fitting.manners.Manner`), or "kept".
     """
 
     candidate: Candidate
@@ -111,7 +102,17 @@ class Fit:
 
 
 def fit(subject: Subject, settings: FitSettings | None = None) -> Fit:
-    """Abstract a model into prisms with their mechanisms.
+    """Abstract a model into prisms with their mechanisms; see :func:`fit_best`."""
+    return fit_best([subject], settings)[1]
+
+
+def fit_best(subjects: Sequence[Subject], settings: FitSettings | None = None) -> tuple[int, Fit]:
+    """Abstract a model that may stand over the fold in several ways, the one that shows most of it.
+
+    Returns
+    -------
+    tuple
+        Which subject that is, and how it is abstracted.
 
     Raises
     ------
@@ -121,36 +122,22 @@ def fit(subject: Subject, settings: FitSettings | None = None) -> Fit:
         What the user keeps does not fold, or has more patches than are allowed.
     """
     settings = settings or FitSettings()
-    coarse, fine = (Appearance(subject.scene, subject.bounds, fineness) for fineness in (1, FINE))
-
-    def value_in(appearance: Appearance) -> Value:
-        def work(candidate: Candidate) -> float:
-            if candidate.patches > settings.most_patches:
-                return -1.0
-            overall = appearance.likeness(candidate.mechanisms, candidate.depths).overall
-            return overall - settings.patch_likeness * candidate.patches
-
-        return valued(work)
-
-    values = value_in(coarse), value_in(fine)
-
-    def fit_of(candidate: Candidate, gap: float, begun: str) -> Fit:
-        shown = deepened(candidate, values[0])
-        return Fit(shown, fine.likeness(shown.mechanisms, shown.depths), gap, begun)
-
-    size = float((subject.bounds[1] - subject.bounds[0]).max())
-    card = Card(x=(-20 * size, 20 * size), depth=20 * size)
-    start = first_candidate(card, THINNEST * size, settings.wishes, settings.most_patches)
+    outsets = [Outset.of(subject, settings) for subject in subjects]
+    start = outsets[0].start
     if start.nodes and not settings.wishes.add:
-        return fit_of(start, 0.0, "kept")
-    coarse.look()
-    fine.look()
-    with two_processes(*values):
-        found = search(subject, start, *values, settings)
-        if found is None:
-            raise MeshError("no part of the model is solid enough for a mechanism; try --detail 1 or another --up")
-        best, manner = found
-        return fit_of(best, 2 * manner.closed * subject.volume.cell, manner.name)
+        return 0, _shown(outsets[0], start, 0.0, "kept")
+    found = search(outsets)
+    if found is None:
+        raise MeshError("no part of the model is solid enough for a mechanism; try --detail 1 or another --up")
+    outset = outsets[found.outset]
+    gap = 2 * found.manner.closed * outset.subject.volume.cell
+    return found.outset, _shown(outset, outset.polished(found.candidate), gap, found.manner.name)
+
+
+def _shown(outset: Outset, candidate: Candidate, gap: float, begun: str) -> Fit:
+    """A fit with the depths of all plates chosen, and how it looks with more pixels."""
+    shown = outset.deepened(candidate)
+    return Fit(shown, outset.fine.likeness(shown.mechanisms, shown.depths), gap, begun)
 
 
 def _placement(candidate: Candidate, index: int) -> Placement:

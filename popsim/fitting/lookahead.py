@@ -1,12 +1,13 @@
-"""Values of candidates one after another, where a second process works on the next one meanwhile.
+"""Answers one after another, where a second process works on the next one meanwhile.
 
 A search tries one change after another and takes the first that is better, so most of what it will ask is known
-before: what stands next in line. The values, and so what is found, are the same with one process.
+before: what stands next in line. What is asked may be the value of a candidate, or a whole climb from one. The
+answers, and so what is found, are the same with one process.
 """
 
 from collections.abc import Callable, Generator, Iterable, Iterator
 from contextlib import contextmanager, suppress
-from typing import TYPE_CHECKING, Any, Generic, NamedTuple, TypeVar
+from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 from popsim.beside import forked
 
@@ -14,81 +15,101 @@ if TYPE_CHECKING:
     from multiprocessing.connection import Connection
 
 T = TypeVar("T")
+R = TypeVar("R")
 
 
-class Helper(NamedTuple):
-    """Where a second process is asked, and by which number it knows a value."""
+class Helper:
+    """A second process, which does one thing at a time."""
 
-    number: int
-    pipe: "Connection[Any, Any]"
+    def __init__(self, pipe: "Connection[Any, Any]") -> None:
+        self._pipe = pipe
+        self.free = True
+
+    def ask(self, number: int, thing: object) -> None:
+        """Let it work on a thing by the work of that number."""
+        self.free = False
+        self._pipe.send((number, thing))
+
+    def answer(self) -> tuple[Any] | None:
+        """What it found, once it has; None where that failed."""
+        found: tuple[Any] | None = self._pipe.recv()
+        self.free = True
+        return found
 
 
-class Valued(Generic[T]):
-    """What things are worth; each is worked out once.
+class Known(Generic[T, R]):
+    """What some work makes of things; it is done once for each.
 
     Attributes
     ----------
     work:
-        The value of a thing.
+        What is done with a thing.
     key:
-        Things with equal keys have one value.
+        For things with equal keys it comes to the same.
     helper:
-        The second process, while there is one.
+        The second process, while there is one, and the number by which it knows the work.
     """
 
-    def __init__(self, work: Callable[[T], float], key: Callable[[T], object]) -> None:
+    def __init__(self, work: Callable[[T], R], key: Callable[[T], object]) -> None:
         self.work, self.key = work, key
-        self.known: dict[object, float] = {}
-        self.helper: Helper | None = None
+        self.known: dict[object, R] = {}
+        self.helper: tuple[Helper, int] | None = None
 
-    def __call__(self, thing: T) -> float:
-        """The value of one thing."""
+    def __call__(self, thing: T) -> R:
+        """What comes of one thing."""
         key = self.key(thing)
         if key not in self.known:
             self.known[key] = self.work(thing)
         return self.known[key]
 
-    def ahead(self, things: Iterable[T]) -> Generator[tuple[T, float]]:
-        """Things with their values, in order; at most one thing more is drawn than is asked for."""
+    def ahead(self, things: Iterable[T]) -> Generator[tuple[T, R]]:
+        """Things and what comes of them, in order; at most one thing more is drawn than is asked for."""
         line = iter(things)
         for thing in line:
-            following = next(line, None) if self.helper and self.key(thing) not in self.known else None
-            if self.helper is None or following is None or self.key(following) in self.known:
+            helper, number = self.helper or (None, 0)
+            key = self.key(thing)
+            following = next(line, None) if helper and helper.free and key not in self.known else None
+            if helper is None or following is None or not self._new(following, key):
                 yield thing, self(thing)
                 if following is not None:
                     yield following, self(following)
                 continue
-            number, pipe = self.helper
-            pipe.send((number, following))
+            helper.ask(number, following)
             try:
                 yield thing, self(thing)
             finally:
-                found = pipe.recv()
+                found = helper.answer()
                 if found is not None:
-                    self.known[self.key(following)] = found
+                    self.known[self.key(following)] = found[0]
             yield following, self(following)
+
+    def _new(self, thing: T, last: object) -> bool:
+        """Whether a thing is neither known nor the same as the last one."""
+        key = self.key(thing)
+        return key != last and key not in self.known
 
 
 @contextmanager
-def two_processes(*values: Valued[T]) -> Iterator[None]:
-    """Let a second process help with values, where there can be one."""
-    started = forked(_serve, values)
+def two_processes(*works: Known[Any, Any]) -> Iterator[None]:
+    """Let a second process help with some works, where there can be one."""
+    started = forked(_serve, works)
     if started is None:
         yield
         return
     pipe, process = started
+    helper = Helper(pipe)
     try:
-        for number, value in enumerate(values):
-            value.helper = Helper(number, pipe)
+        for number, known in enumerate(works):
+            known.helper = helper, number
         yield
     finally:
-        for value in values:
-            value.helper = None
+        for known in works:
+            known.helper = None
         pipe.close()
         process.join()
 
 
-def _serve(pipe: "Connection[Any, Any]", values: "tuple[Valued[T], ...]") -> None:
+def _serve(pipe: "Connection[Any, Any]", works: "tuple[Known[Any, Any], ...]") -> None:
     """Answer what is asked until whoever asks is gone."""
     while True:
         try:
@@ -96,6 +117,6 @@ def _serve(pipe: "Connection[Any, Any]", values: "tuple[Valued[T], ...]") -> Non
         except EOFError:
             return
         found = None
-        with suppress(Exception):  # it is raised where the value is asked for again
-            found = values[number].work(thing)
+        with suppress(Exception):  # it is raised where it is asked for again
+            found = (works[number](thing),)
         pipe.send(found)

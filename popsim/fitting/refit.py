@@ -6,7 +6,7 @@ from itertools import islice
 
 from popsim.fitting.candidate import Candidate
 from popsim.fitting.greedy import Grower
-from popsim.fitting.lookahead import Valued
+from popsim.fitting.lookahead import Known
 from popsim.fitting.moves import Move, moves
 
 STEPS = (4.0, 1.5, 0.6)
@@ -21,12 +21,12 @@ ADDITIONS = 4
 BETTER = 2e-4
 """Least gain that counts; below is noise of the pixels."""
 
-Value = Valued[Candidate]
+Value = Known[Candidate, float]
 
 
 def valued(work: Callable[[Candidate], float]) -> Value:
     """What candidates are worth, where those that look alike are worth the same."""
-    return Valued(work, lambda candidate: (candidate.mechanisms, tuple(sorted(candidate.depths.items()))))
+    return Known(work, lambda candidate: (candidate.mechanisms, tuple(sorted(candidate.depths.items()))))
 
 
 class Climber:

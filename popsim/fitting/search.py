@@ -1,123 +1,85 @@
 """Several greedy runs, the most promising of them refitted, the best of those completed."""
 
-from collections.abc import Iterator
-from dataclasses import dataclass
-from typing import Literal
-
-import numpy as np
+from collections.abc import Iterable, Sequence
+from typing import NamedTuple
 
 from popsim.fitting.candidate import Candidate
-from popsim.fitting.combination import Combiner
-from popsim.fitting.depths import deepened
-from popsim.fitting.greedy import Grower, Taste
-from popsim.fitting.refit import Climber, Value
-from popsim.fitting.settings import FitSettings
-from popsim.fitting.subject import Subject
+from popsim.fitting.lookahead import Known, two_processes
+from popsim.fitting.manners import MANNERS, Manner
+from popsim.fitting.outset import Outset
 
-ROUNDS = ((5, 40), (1, 20))
-"""How many starts are refitted, with how many evaluations each; then how many of these further, with how many."""
+REFITTED = 6
+"""How many starts are refitted."""
 
-LAST_BUDGET = 160
-"""Evaluations to refit the best."""
+COMPLETED = 2
+"""How many of these are completed."""
 
-FINE_STEPS, FINE_BUDGET = (0.6, 0.25), 80
-"""Cells by which borders are moved at last, and evaluations for that."""
+HOPELESS = 0.03
+"""Likeness by which the best start over a fold may fall behind that over another one."""
 
 
-@dataclass(frozen=True)
-class Manner:
-    """One way to begin.
+class State(NamedTuple):
+    """A candidate over the fold of one outset, by its number, and how it was begun."""
 
-    Attributes
-    ----------
-    price:
-        Factor on the price of patches.
-    empty, trust, founded, plain:
-        See :class:`popsim.fitting.greedy.Taste`.
-    closed:
-        By how many cells gaps are closed first: what a lattice or open arches enclose then counts as solid.
-    name:
-        "profiles"; "layers" where rows have their steps and tops only where the views of the model fall into
-        layers (Eq. 3); "ransac" where prisms are fitted to points instead (Eq. 1), at the same price of patches.
-    """
+    outset: int
+    candidate: Candidate
+    manner: Manner
 
-    price: float
-    empty: float
-    trust: float
-    founded: bool = True
-    plain: bool = False
-    closed: int = 0
-    name: Literal["profiles", "layers", "ransac"] = "profiles"
-
-    def begun(self, subject: Subject, start: Candidate, settings: FitSettings) -> Candidate:
-        """What it leads to from a start."""
-        price = self.price * settings.patch_price
-        if self.name == "ransac":
-            rng = np.random.default_rng(subject.seed)
-            return Combiner(subject.points, settings.weights, price, rng).combined(start)
-        volume = subject.volume.closed(self.closed) if self.closed else subject.volume
-        return Grower(volume, subject.planes, self.taste(subject, settings)).grow(start)
-
-    def taste(self, subject: Subject, settings: FitSettings) -> Taste:
-        """What a greedy run in this manner values."""
-        return Taste(
-            self.price * settings.patch_price,
-            self.empty,
-            self.trust,
-            settings.most_patches,
-            self.founded,
-            self.plain,
-            subject.layers if self.name == "layers" else None,
-        )
+    def key(self) -> object:
+        """What tells it from others, however they were begun."""
+        return self.outset, self.candidate.nodes
 
 
-MANNERS = (
-    Manner(1.0, 0.8, 0.6, founded=False),
-    Manner(1.0, 0.8, 0.6),
-    Manner(0.4, 0.8, 0.6),
-    Manner(0.5, 1.2, 0.9),
-    Manner(0.4, 0.8, 0.3, closed=5),
-    Manner(0.4, 0.8, 0.6, plain=True),
-    Manner(0.2, 0.6, 0.9, plain=True),
-    Manner(0.4, 0.1, 0.6),
-    Manner(0.4, 0.8, 0.6, name="layers"),
-    Manner(0.4, 0.8, 0.6, name="ransac"),
-)
-"""Ways to begin; the first ones win where they lead to the same."""
+def search(outsets: Sequence[Outset]) -> State | None:
+    """Find the candidate of greatest value that grows from an outset and keeps all conditions.
 
-SECOND = Manner(0.1, 0.8, 0.3, founded=False)
-"""How prisms are proposed after refitting, where only the likeness decides."""
-
-
-def search(
-    subject: Subject, start: Candidate, value: Value, fine: Value, settings: FitSettings
-) -> tuple[Candidate, Manner] | None:
-    """Find the candidate of greatest value that grows from `start` and keeps all conditions.
-
-    `fine` is the same value with more pixels: by it borders find their last place.
+    Each fold that is not hopeless has its share of the work.
 
     Returns
     -------
-    tuple or None
-        The candidate and how it was begun, or None where nothing can be placed.
+    State or None
+        The candidate, or None where nothing can be placed.
     """
-    climber = Climber(value, Grower(subject.volume, subject.planes, SECOND.taste(subject, settings)))
-    left = list(_grown(subject, start, settings))
-    for count, budget in ROUNDS:
-        promising = sorted(left, key=lambda found: -value(found[0]))[:count]
-        left = [(climber.refit(state, budget), manner) for state, manner in promising]
-    if not left:
-        return None
-    best, manner = max(left, key=lambda found: value(found[0]))
-    best = deepened(climber.complete(best, LAST_BUDGET), value)
-    return Climber(fine, climber.grower).refit(best, FINE_BUDGET, FINE_STEPS), manner
+
+    def begin(way: tuple[int, Manner]) -> Candidate:
+        return outsets[way[0]].begun(way[1])
+
+    def refit(state: State) -> Candidate:
+        return outsets[state.outset].refitted(state.candidate)
+
+    def complete(state: State) -> Candidate:
+        return outsets[state.outset].completed(state.candidate)
+
+    begun, refitted, completed = Known(begin, lambda way: way), Known(refit, State.key), Known(complete, State.key)
+    with two_processes(*(outset.value for outset in outsets), begun, refitted, completed):
+        ways = [(number, manner) for number in range(len(outsets)) for manner in MANNERS]
+        left = _ranked(_different(begun.ahead(ways)), outsets)
+        if not left:
+            return None
+        folds = sorted({state.outset for state, score in left if score > left[0][1] - HOPELESS})
+        for count, further in ((REFITTED, refitted), (COMPLETED, completed)):
+            share = count // len(folds)
+            over = ([state for state, _ in left if state.outset == fold] for fold in folds)
+            reached = further.ahead([state for states in over for state in states[:share]])
+            left = _ranked([state._replace(candidate=found) for state, found in reached], outsets)
+        return left[0][0]
 
 
-def _grown(subject: Subject, start: Candidate, settings: FitSettings) -> Iterator[tuple[Candidate, Manner]]:
-    """What the manners lead to, each once, and the manner."""
-    seen = set()
-    for manner in MANNERS:
-        state = manner.begun(subject, start, settings)
-        if state.nodes and state.nodes not in seen:
-            seen.add(state.nodes)
-            yield state, manner
+def _different(begun: Iterable[tuple[tuple[int, Manner], Candidate]]) -> list[State]:
+    """What manners lead to, each once, with the first manner that does."""
+    found: dict[object, State] = {}
+    for (number, manner), candidate in begun:
+        state = State(number, candidate, manner)
+        if candidate.nodes:
+            found.setdefault(state.key(), state)
+    return list(found.values())
+
+
+def _ranked(states: Sequence[State], outsets: Sequence[Outset]) -> list[tuple[State, float]]:
+    """States with their values, the greatest first."""
+    scores: dict[object, float] = {}
+    for number, outset in enumerate(outsets):
+        own = [state for state in states if state.outset == number]
+        for state, (_, score) in zip(own, outset.value.ahead([state.candidate for state in own]), strict=True):
+            scores[state.key()] = score
+    return sorted(((state, scores[state.key()]) for state in states), key=lambda scored: -scored[1])

@@ -64,6 +64,11 @@ class Wishes:
     pins: tuple[Pin, ...] = ()
     add: bool = True
 
+    @property
+    def placed(self) -> bool:
+        """Whether they depend on how the model stands on the card."""
+        return bool(self.kept or self.keep_out or self.pins)
+
     def allows(self, mechanism: Mechanism) -> bool:
         """Whether a mechanism that is not kept may be used."""
         if mechanism.type in self.forbidden or any(region.overlaps(mechanism) for region in self.keep_out):

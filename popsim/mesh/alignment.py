@@ -2,7 +2,8 @@
 
 The heading comes from NPCA over the normals, from the long edges, from the model's own axes, or from the user.
 The fold is where the best vertical mirror plane meets the base; where the two planes of the heading mirror about
-equally well, it runs along the longer side.
+equally well, it runs along the longer side. Where the other one mirrors well too, or the longer side speaks for
+it, :func:`alignments` gives both, for fitting to choose.
 
 How a model lies in its file does not matter to what is found by its shape. It matters to the up axis and to the
 front where the format has a custom: the same shape turned in its file can be another way round
@@ -10,6 +11,7 @@ front where the format has a custom: the same shape turned in its file can be an
 """
 
 import re
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Literal
 
@@ -22,7 +24,7 @@ from popsim.mesh.axes import axis_name, direction_of
 from popsim.mesh.bounds import RobustBounds
 from popsim.mesh.directions import Peak, edge_headings, horizontal_basis, normal_headings
 from popsim.mesh.formats import format_of
-from popsim.mesh.front import choose_front, stated_front
+from popsim.mesh.front import FrontChoice, choose_front, stated_front
 from popsim.mesh.heading import Heading, choose_heading
 from popsim.mesh.level import SQUARE, Level, levelled
 from popsim.mesh.model import Model
@@ -31,6 +33,7 @@ from popsim.mesh.sampling import sample_surface
 from popsim.mesh.symmetry import MirrorPlane
 from popsim.mesh.up_axis import UpChoice, choose_up, stated_up
 
+Side = Literal["long", "short"]
 Fold = Literal["auto", "long", "short"]
 METHODS = ("npca", "edges", "none")
 FOLDS: tuple[Fold, ...] = ("auto", "long", "short")
@@ -41,6 +44,10 @@ EQUAL_SYMMETRY = 0.08
 """Mirror planes whose scores differ by less are equally good, and the longer side decides."""
 ASYMMETRIC = 0.5
 """Below this score the model has no mirror plane to speak of, and the longer side decides."""
+WELL = 0.8
+"""From this score on the second mirror plane is as good a guess."""
+LONGER = 1.1
+"""So is a side that is longer by this factor."""
 VERTICAL = 0.9
 """A front whose part along the up axis is above this points up or down, not forward."""
 
@@ -56,6 +63,8 @@ class Alignment:
         z is up, the model stands on z = 0, its mirror plane is y = 0 and its x range is centred on 0.
     axes:
         Which model direction became x, y and z: names like "-z", or "askew".
+    fold:
+        The horizontal side along which the fold runs.
     up:
         The choice of the up direction, and how sure it is.
     heading_confidence:
@@ -72,6 +81,7 @@ class Alignment:
 
     matrix: FloatArray
     axes: tuple[str, str, str]
+    fold: Side
     up: UpChoice
     heading_confidence: float
     front_confidence: float
@@ -116,6 +126,28 @@ def align(
     MeshError
         An option has an unknown value, or `front` is the up axis.
     """
+    return next(_alignments(model, up, front, method, fold, seed))
+
+
+def alignments(
+    model: Model,
+    *,
+    up: str = "auto",
+    front: str | None = None,
+    method: str = "npca",
+    fold: Fold = "auto",
+    seed: int = 0,
+) -> tuple[Alignment, ...]:
+    """Find the canonical frame of a model, and that with the other fold where it is as good a guess.
+
+    Parameters and errors are those of :func:`align`, whose result comes first.
+    """
+    return tuple(_alignments(model, up, front, method, fold, seed))
+
+
+def _alignments(
+    model: Model, up: str, front: str | None, method: str, fold: Fold, seed: int
+) -> Iterator[Alignment]:
     check_options(up, front, method, fold)
     choice = _up(model, up, seed)
     ahead = None if front is None else direction_of(front, "front")
@@ -125,12 +157,31 @@ def align(
     peaks, why_heading = _headings(model.surface, basis, method)
     level = levelled(model.surface, basis, peaks, SAMPLES, seed)
     heading = choose_heading(level, fixed=method not in ("npca", "edges"))
+    reasons = (
+        f"{choice.reason} (confidence {choice.confidence:.2f})",
+        f"{why_heading} (confidence {heading.confidence:.2f})",
+    )
     level_front = None if ahead is None else level.rotation @ ahead
-    along, why_fold = _fold_side(heading, fold, level_front)
-    if level_front is None:
-        facing = choose_front(level, heading.directions[along], format_of(model.path).front)
-    else:
+    along, why = _fold_side(heading, fold, level_front)
+    if level_front is not None:
         facing = stated_front(heading.directions[along], level_front, str(front))
+        yield _over_fold(level, heading, along, choice, facing, (*reasons, why))
+        return
+    custom = format_of(model.path).front
+    facing = choose_front(level, heading.directions[along], custom)
+    yield _over_fold(level, heading, along, choice, facing, (*reasons, why))
+    if fold == "auto" and _open(heading, along):
+        other = 1 - along
+        facing = choose_front(level, heading.directions[other], custom)
+        score = heading.planes[along].score
+        why = f"the fold runs where the pop-up shows more of the model; mirror score {score:.2f} of 1"
+        yield _over_fold(level, heading, other, choice, facing, (*reasons, why))
+
+
+def _over_fold(
+    level: Level, heading: Heading, along: int, choice: UpChoice, facing: FrontChoice, reasons: tuple[str, ...]
+) -> Alignment:
+    """Align a model with the fold along one of the directions of its heading."""
     x = facing.direction
     turned = np.stack([x, np.cross([0.0, 0.0, 1.0], x), [0.0, 0.0, 1.0]])
     plane = heading.planes[1 - along]
@@ -138,13 +189,12 @@ def align(
     own = MirrorPlane(plane.normal @ level.rotation, plane.offset, plane.score, plane.centred)
     axes = (axis_name(matrix[0, :3]), axis_name(matrix[1, :3]), axis_name(matrix[2, :3]))
     reasons = (
-        f"{choice.reason} (confidence {choice.confidence:.2f})",
-        f"{why_heading} (confidence {heading.confidence:.2f})",
-        why_fold,
+        *reasons,
         f"{facing.reason} (confidence {facing.confidence:.2f})",
         *(str(part) for part in box.left_out),
     )
-    return Alignment(matrix, axes, choice, heading.confidence, facing.confidence, own, box, reasons)
+    fold: Side = "long" if along == _longer(heading) else "short"
+    return Alignment(matrix, axes, fold, choice, heading.confidence, facing.confidence, own, box, reasons)
 
 
 def check_options(up: str, front: str | None, method: str, fold: str) -> None:
@@ -190,8 +240,8 @@ def _headings(surface: Surface, basis: FloatArray, method: str) -> tuple[list[Pe
 def _fold_side(heading: Heading, fold: Fold, front: FloatArray | None) -> tuple[int, str]:
     """Return along which of the two horizontal directions the fold runs, and why."""
     first, second = heading.extents
-    longer = 0 if first >= second else 1
-    scores = heading.planes[1].score, heading.planes[0].score  # of the plane that contains each direction
+    longer = _longer(heading)
+    scores = _scores(heading)
     if front is not None:
         along = int(np.abs(heading.directions @ front).argmax())
         return along, f"the fold runs to the front; mirror score {scores[along]:.2f}"
@@ -203,6 +253,22 @@ def _fold_side(heading: Heading, fold: Fold, front: FloatArray | None) -> tuple[
     if unequal or max(first, second) < SQUARE * min(first, second):
         return better, f"the fold lies in the best mirror plane, score {scores[better]:.2f} of 1"
     return longer, f"the fold runs along the longer side; mirror score {scores[longer]:.2f} of 1"
+
+
+def _open(heading: Heading, along: int) -> bool:
+    """Whether the fold could as well run along the other direction."""
+    scores, extents = _scores(heading), heading.extents
+    neither = max(scores) < ASYMMETRIC
+    return neither or scores[1 - along] > WELL or extents[1 - along] > LONGER * extents[along]
+
+
+def _longer(heading: Heading) -> int:
+    return 0 if heading.extents[0] >= heading.extents[1] else 1
+
+
+def _scores(heading: Heading) -> tuple[float, float]:
+    """Mirror scores of the planes that contain each of the two directions."""
+    return heading.planes[1].score, heading.planes[0].score
 
 
 def _stand(level: Level, turned: FloatArray, plane: MirrorPlane) -> tuple[FloatArray, RobustBounds]:

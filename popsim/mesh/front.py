@@ -6,10 +6,12 @@ models whose front is known 30 have a lower end: it is the front of 21, vehicles
 back of nine, animals among them. Of the others that have an end with less surface it is the front of half.
 
 The custom counts where the model lies in its file as the format has it. It fades as the up axis, and the line from
-front to back, turn away from those of the format, and says nothing from 45 degrees on: nothing of a model that is
-built along the other horizontal axis, and nothing of one that lies on its side, which then stands as its shape
-alone has it. What is turned in its file by less keeps part of the custom. What is turned to stand backwards, by
-180 degrees about its up axis, breaks the rule of its format: nothing in the file tells, and it is believed.
+front to back, turn away from those of the format, and says nothing from 45 degrees on: nothing of
+the ends of a model that is built along the other horizontal axis, and nothing of one that lies on its side, which
+then stands as its shape alone has it. What is turned in its file by less keeps part of the custom. What is turned
+to stand backwards, by 180 degrees about its up axis, breaks the rule of its format: nothing in the file tells, and
+it is believed. Where the ends are those of the sides of a house, and alike, the custom says which of its faces
+shall look at the viewer, from the ground page.
 """
 
 from dataclasses import dataclass
@@ -83,10 +85,16 @@ def choose_front(level: Level, axis: FloatArray, custom: float) -> FrontChoice:
     look = _looks(level, axis)
     if custom == NO_CUSTOM:
         return FrontChoice(axis * look.sign, _share(look.odds), look.words)
-    ahead = float((axis @ level.rotation)["xyz".index(FRONT_AXIS)])
+    front = level.rotation[:, "xyz".index(FRONT_AXIS)]
+    ahead, aside = float(axis @ front), float(np.cross([0.0, 0.0, 1.0], axis) @ front)
     upright = float(level.rotation[2]["xyz".index(FRONT_UP_AXIS)])
     towards = 1.0 if ahead > 0 else -1.0
     trust = _trust(upright) * _trust(abs(ahead))
+    facing = _trust(upright) * _trust(abs(aside))
+    if facing and not look.end:
+        weight = NO_CUSTOM + (custom - NO_CUSTOM) * facing
+        words = f"both ends look alike; the side towards {FRONT_AXIS} is the front, as is usual for the format"
+        return FrontChoice(axis * (1.0 if aside > 0 else -1.0), weight, words)
     if trust == 0:
         return FrontChoice(axis * look.sign, _share(look.odds), f"{look.words}; {_silence(upright)}")
     weight = NO_CUSTOM + (custom - NO_CUSTOM) * trust

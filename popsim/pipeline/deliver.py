@@ -111,6 +111,7 @@ def _wishes(run: DesignRun, command: str) -> str:
     return wishes_text(
         run.fit.mechanisms,
         size=run.prepared.longest,
+        fold=run.prepared.alignment.fold,
         most_patches=run.settings.fit.most_patches,
         source=Source(file=model.path.name, sha256=model.sha256),
         command=command,

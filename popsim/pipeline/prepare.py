@@ -1,5 +1,6 @@
 """The model on the card: aligned, scaled to millimetres, standing over the fold."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -95,19 +96,30 @@ def prepare(path: Path, stance: Stance, size: float | Scale, seed: int) -> Prepa
     InputError
         The scale makes it no pop-up: too small to cut, or larger than any table.
     """
-    from popsim.mesh.alignment import align
+    return next(_prepared(path, stance, size, seed))
+
+
+def prepare_ways(path: Path, stance: Stance, size: float | Scale, seed: int) -> tuple[Prepared, ...]:
+    """The same, and with the fold along the other side where that is as good a guess, for fitting to choose."""
+    return tuple(_prepared(path, stance, size, seed))
+
+
+def _prepared(path: Path, stance: Stance, size: float | Scale, seed: int) -> Iterator[Prepared]:
+    from popsim.mesh.alignment import alignments
     from popsim.mesh.loading import load_model
 
     model = load_model(path)
-    alignment = align(model, up=stance.up, front=stance.front, method=stance.align, fold=stance.fold, seed=seed)
-    longest = float(np.ptp(alignment.box.bounds, axis=0).max())
-    factor = size.ratio * model.unit if isinstance(size, Scale) else size / longest
-    if isinstance(size, Scale):
-        what = f"at a scale of {size} the model, {longest:g} units of {model.unit:g} mm long, has {{}}"
-        check_size(longest * factor, what)
-    to_card = np.diag([factor, factor, factor, 1.0]) @ alignment.matrix
-    scene = RayScene(model.surface.transformed(to_card))
-    return Prepared(model, alignment, to_card, scene, alignment.box.bounds * factor)
+    for alignment in alignments(
+        model, up=stance.up, front=stance.front, method=stance.align, fold=stance.fold, seed=seed
+    ):
+        longest = float(np.ptp(alignment.box.bounds, axis=0).max())
+        factor = size.ratio * model.unit if isinstance(size, Scale) else size / longest
+        if isinstance(size, Scale):
+            what = f"at a scale of {size} the model, {longest:g} units of {model.unit:g} mm long, has {{}}"
+            check_size(longest * factor, what)
+        to_card = np.diag([factor, factor, factor, 1.0]) @ alignment.matrix
+        scene = RayScene(model.surface.transformed(to_card))
+        yield Prepared(model, alignment, to_card, scene, alignment.box.bounds * factor)
 
 
 def check_size(longest: float, what: str = "size: {}") -> None:

@@ -25,6 +25,7 @@ def report_of(run: DesignRun, planned: Planned | None, files: list[str], command
         "passed": run.verdict.passed,
         "alignment": {
             "axes": list(prepared.alignment.axes),
+            "fold": prepared.alignment.fold,
             "confidence": _rounded(prepared.alignment.up.confidence),
             "heading_confidence": _rounded(prepared.alignment.heading_confidence),
             "front_confidence": _rounded(prepared.alignment.front_confidence),

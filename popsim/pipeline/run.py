@@ -8,8 +8,8 @@ from popsim.design import Design
 from popsim.fitting import Fit
 from popsim.patches import Painted
 from popsim.patches.popup_surface import popup_surface
-from popsim.pipeline.abstract import abstract
-from popsim.pipeline.prepare import Prepared, prepare
+from popsim.pipeline.abstract import abstract_best
+from popsim.pipeline.prepare import Prepared, prepare, prepare_ways
 from popsim.pipeline.review import bare_sides, doubts, leftovers, overhang
 from popsim.pipeline.settings import RunSettings
 from popsim.pipeline.sizing import sized
@@ -63,9 +63,10 @@ def run_design(
     """
     settings = settings or RunSettings()
     progress("aligning the model")
-    prepared = prepare(path, settings.stance, settings.size, settings.seed)
+    standing = path, settings.stance, settings.size, settings.seed
+    ways = (prepare(*standing),) if settings.fit.wishes.placed else prepare_ways(*standing)
     progress("fitting prisms")
-    fit = abstract(prepared, settings.fit, settings.seed)
+    prepared, fit = abstract_best(ways, settings.fit, settings.seed)
     progress("cutting patches")
     painter, design, notes = sized(prepared, fit, settings, path)
     progress("folding it")

@@ -31,6 +31,11 @@ def roof(low: tuple[float, float, float], high: tuple[float, float, float]) -> n
     return np.array(faces)
 
 
+def quarter_turned(triangles: np.ndarray) -> np.ndarray:
+    """The same about the vertical by a quarter turn."""
+    return triangles @ np.array([[0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])
+
+
 def surface(*parts: np.ndarray) -> Surface:
     """Triangles as a plain surface."""
     triangles = np.concatenate(parts)

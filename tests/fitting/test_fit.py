@@ -2,11 +2,11 @@
 
 import numpy as np
 import pytest
-from fitting_surfaces import block, roof, subdivided, subject_of, surface
+from fitting_surfaces import block, quarter_turned, roof, subdivided, subject_of, surface
 
 from popsim.design import Card
 from popsim.errors import InputError
-from popsim.fitting import Fit, FitSettings, fit
+from popsim.fitting import Fit, FitSettings, fit, fit_best
 from popsim.fitting.corners import propose_corner
 from popsim.fitting.field import Field, spot_on
 from popsim.fitting.mapping import error_cover, mappings
@@ -52,6 +52,15 @@ def test_pickup_becomes_one_box_with_layers() -> None:
 def test_tower_on_a_plinth_becomes_a_box_on_a_box() -> None:
     found = fitted(surface(block((-48, -40, 0), (48, 40, 30)), block((-20, -15, 30), (20, 15, 80))))
     assert types(found) == [("box-fold", ("G", "B")), ("box-fold", ("M1.T_G", "M1.T_B"))]
+
+
+def test_of_two_folds_that_is_taken_over_which_more_shows() -> None:
+    steps = [block((-48, -15, 0), (0, 15, 20)), block((0, -15, 0), (48, 15, 40))]
+    along, across = (subject_of(surface(*shape)) for shape in (steps, [quarter_turned(step) for step in steps]))
+    for subjects, better in (((along, across), 0), ((across, along), 1)):
+        number, found = fit_best(subjects)
+        assert number == better
+        assert [round(top.height) for top in found.mechanisms[0].tops] == [20, 40]
 
 
 def test_gable_roof_becomes_a_tent_on_a_box() -> None:

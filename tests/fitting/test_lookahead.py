@@ -4,7 +4,7 @@ import os
 
 import pytest
 
-from popsim.fitting.lookahead import Valued, two_processes
+from popsim.fitting.lookahead import Known, two_processes
 
 
 def squared(thing: int) -> float:
@@ -15,7 +15,7 @@ def squared(thing: int) -> float:
 
 @pytest.mark.parametrize("things", [[], [3], [3, 4], [3, 3, 4], [1, 2, 3, 2, 1, 5]])
 def test_values_come_in_order_with_and_without_help(things: list[int]) -> None:
-    alone, helped = (Valued(squared, lambda thing: thing) for _ in range(2))
+    alone, helped = (Known(squared, lambda thing: thing) for _ in range(2))
     expected = [(thing, squared(thing)) for thing in things]
     assert list(alone.ahead(things)) == expected
     with two_processes(helped):
@@ -23,7 +23,7 @@ def test_values_come_in_order_with_and_without_help(things: list[int]) -> None:
 
 
 def test_whoever_stops_early_keeps_what_is_known_and_goes_on() -> None:
-    value = Valued(squared, lambda thing: thing)
+    value = Known(squared, lambda thing: thing)
     with two_processes(value):
         for thing, found in value.ahead([2, 3, 4]):
             assert (thing, found) == (2, 4.0)
@@ -39,7 +39,7 @@ def test_the_second_process_takes_its_part_and_goes_away() -> None:
         asked.append(thing)
         return float(thing)
 
-    value = Valued(noted, lambda thing: thing)
+    value = Known(noted, lambda thing: thing)
     with two_processes(value):
         list(value.ahead(range(6)))
     assert asked == [0, 2, 4]
@@ -48,6 +48,6 @@ def test_the_second_process_takes_its_part_and_goes_away() -> None:
 
 
 def test_what_goes_wrong_beside_is_raised_here() -> None:
-    value = Valued(squared, lambda thing: thing)
+    value = Known(squared, lambda thing: thing)
     with two_processes(value), pytest.raises(ValueError, match="negative"):
         list(value.ahead([1, -1]))

@@ -86,6 +86,15 @@ def test_a_gltf_that_is_built_along_x_has_its_lower_end_ahead(degrees: float) ->
     assert "z, the usual front of the format, is neither end" in seen.reasons[3]
 
 
+@pytest.mark.parametrize("degrees", [0, 180])
+def test_a_house_that_stands_along_x_shows_the_viewer_its_front(degrees: float) -> None:
+    house = boxes_mesh([((-5, -1, 0), (5, 1, 3)), ((-1, -1.5, 0), (1, -1, 2))])  # a porch before the middle
+    matrix = turn(Y, degrees) @ turn(X, -90)
+    seen = found(matrix, ".glb", house)
+    assert seen.axes == ("-x", "z", "y")
+    assert "both ends look alike; the side towards z is the front, as is usual for the format" in seen.reasons[3]
+
+
 @pytest.mark.parametrize(("degrees", "ahead"), [(10, -1), (-20, -1), (50, 1), (-60, 1)])
 def test_the_custom_fades_as_the_model_turns_from_its_axes(degrees: float, ahead: float) -> None:
     matrix = turn(Y, degrees) @ FRONT_TO_MINUS_Z

@@ -22,9 +22,10 @@ ON_TOP = "{id: A, type: tent-fold, base: [M1.T_G, M1.T_B], parameters: {x: [5, 3
 @given(seed=st.integers(0, 2**32 - 1))
 def test_what_was_chosen_comes_back(seed: int) -> None:
     parts = grow(np.random.default_rng(seed), Limits(1, 12, 4)).parts
-    text = wishes_text(parts, size=143.2101, most_patches=90, source=SOURCE, command="popsim design truck.obj")
+    command = "popsim design truck.obj"
+    text = wishes_text(parts, size=143.2101, fold="short", most_patches=90, source=SOURCE, command=command)
     hand = parse_wishes(text)
-    assert (hand.size, hand.most_patches, hand.sha256) == (143.2101, 90, SOURCE.sha256)
+    assert (hand.size, hand.fold, hand.most_patches, hand.sha256) == (143.2101, "short", 90, SOURCE.sha256)
     assert not hand.wishes.add
     number = {part.id: f"M{k}" for k, part in enumerate(parts, 1)}
     for part, kept in zip(parts, hand.wishes.kept, strict=True):

@@ -5,10 +5,14 @@ from pathlib import Path
 
 import pytest
 
+from popsim.cli.choices import chosen_fold
 from popsim.design import dump_design
+from popsim.errors import InputError
+from popsim.mesh.alignment import align
 from popsim.patches import PatchSettings
 from popsim.pipeline import DesignRun, RunSettings, run_design
 from popsim.pipeline.deliver import WISHES, deliver
+from popsim.pipeline.prepare import Stance
 from popsim.pipeline.wishes import Hand, load_wishes
 
 QUICK = RunSettings(patches=PatchSettings(dpi=50))
@@ -16,8 +20,9 @@ QUICK = RunSettings(patches=PatchSettings(dpi=50))
 
 def again(path: Path, hand: Hand) -> DesignRun:
     assert hand.size is not None
-    fit = replace(QUICK.fit, wishes=hand.wishes)
-    return run_design(path, replace(QUICK, fit=fit, size=hand.size, exact_size=True, wishes_for=hand.sha256))
+    fit, stance = replace(QUICK.fit, wishes=hand.wishes), Stance(fold=chosen_fold("auto", hand))
+    settings = replace(QUICK, stance=stance, fit=fit, size=hand.size, exact_size=True, wishes_for=hand.sha256)
+    return run_design(path, settings)
 
 
 @pytest.fixture(scope="module")
@@ -50,6 +55,21 @@ def test_an_edited_number_is_kept_and_verified(truck: DesignRun, wishes: Path, m
     assert [top["height"] for top in tops] == expected
     assert run.verdict.passed
     assert run.verdict.evidence.sweep.design.mechanisms[0].type == box.type
+
+
+def test_the_fold_that_fitting_chose_is_kept(shared_meshes: Path, tmp_path: Path) -> None:
+    path = shared_meshes / "angle_block" / "angle_block.STL"
+    run = run_design(path, QUICK)
+    assert run.prepared.alignment.fold == "long" != align(run.prepared.model).fold
+    deliver(run, tmp_path / "out", command="popsim design angle_block.STL", footer="", force=False)
+    hand = load_wishes(tmp_path / "out" / WISHES)
+    repeated = again(path, hand)
+    assert repeated.prepared.alignment.axes == run.prepared.alignment.axes
+    assert [part.parameters() for part in repeated.fit.mechanisms] == [
+        part.parameters() for part in run.fit.mechanisms
+    ]
+    with pytest.raises(InputError, match="the wishes are stated for a fold along the long side; leave out --fold"):
+        chosen_fold("short", hand)
 
 
 def test_wishes_for_another_model_are_told(wishes: Path, models: Path) -> None:

@@ -10,6 +10,7 @@ from popsim.errors import DesignError, InputError
 from popsim.fitting import Pin, Wishes
 from popsim.mechanisms import MECHANISMS, BasePatchPair, Mechanism, card_pair
 from popsim.mechanisms.restore import restored
+from popsim.mesh.alignment import Side
 from popsim.pipeline.wishes.model import FAR, Keep, WishesFile
 
 PAGES = (GROUND_ID, BACKDROP_ID)
@@ -25,6 +26,8 @@ class Hand:
         For fitting.
     size:
         Longest side of the model, mm, that the wishes are stated at; None where they do not depend on it.
+    fold:
+        Side along which the fold runs where they were stated, or None.
     most_patches:
         Or None where nothing is said.
     sha256:
@@ -33,6 +36,7 @@ class Hand:
 
     wishes: Wishes = field(default_factory=Wishes)
     size: float | None = None
+    fold: Side | None = None
     most_patches: int | None = None
     sha256: str | None = None
 

@@ -7,6 +7,7 @@ from pydantic import BaseModel, ConfigDict, Field
 
 from popsim.design.model import Identifier, Source
 from popsim.fitting import Region
+from popsim.mesh.alignment import Side
 
 FORMAT: Literal["popsim-wishes"] = "popsim-wishes"
 VERSION: Literal[1] = 1
@@ -64,6 +65,9 @@ class WishesFile(_Model):
         The model it was written for.
     size:
         Longest side of the model, mm or as a length ("15cm"), at which everything else in the file is stated.
+    fold:
+        Horizontal side of the model along which the fold runs there; where nothing is said, as without any wishes,
+        but never as fitting likes.
     forbid:
         Types of mechanisms.
     most_patches:
@@ -78,6 +82,7 @@ class WishesFile(_Model):
     version: Literal[1] = VERSION
     source: Source | None = None
     size: float | str | None = None
+    fold: Side | None = None
     forbid: tuple[str, ...] = ()
     most_patches: Annotated[int, Field(ge=2)] | None = None
     add: bool = True

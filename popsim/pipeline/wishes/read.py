@@ -49,7 +49,7 @@ def parse_wishes(content: bytes | str, *, name: str = "wishes") -> Hand:
         if size is None and (file.keep or file.keep_out or file.pin):
             raise InputError("size: missing; keep, keep_out and pin are in mm at one size of the model")
         sha256 = None if file.source is None else file.source.sha256
-        return Hand(wishes_of(file), size, file.most_patches, sha256)
+        return Hand(wishes_of(file), size, file.fold, file.most_patches, sha256)
     except InputError as error:
         raise InputError(f"{name}: {error}") from None
 

@@ -7,6 +7,7 @@ from typing import Any
 from popsim.design import Source
 from popsim.mechanisms import Mechanism
 from popsim.mechanisms.restore import essential
+from popsim.mesh.alignment import Side
 from popsim.pipeline.wishes.model import FORMAT, VERSION
 
 HEAD = """\
@@ -22,7 +23,13 @@ HEAD = """\
 
 
 def wishes_text(
-    mechanisms: Sequence[Mechanism], *, size: float, most_patches: int, source: Source, command: str
+    mechanisms: Sequence[Mechanism],
+    *,
+    size: float,
+    fold: Side,
+    most_patches: int,
+    source: Source,
+    command: str,
 ) -> str:
     """Return the file that keeps all `mechanisms` and adds nothing: the same run again.
 
@@ -32,6 +39,8 @@ def wishes_text(
         Bases before what stands on them.
     size:
         Longest side of the model, mm.
+    fold:
+        Horizontal side of the model along which the fold runs.
     most_patches, source, command:
         Of the run.
     """
@@ -42,6 +51,7 @@ def wishes_text(
         "version": VERSION,
         "source": source.model_dump(mode="json"),
         "size": f"{size!r}mm",
+        "fold": fold,
         "most_patches": most_patches,
         "add": False,
         "forbid": [],
