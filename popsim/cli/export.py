@@ -42,7 +42,8 @@ def export(
 
     format = _format(format, output, (*FORMATS, *SOLIDS))
     design = load_design(path)
-    target = output or path.with_suffix(f".{format}")
+    target = output or path
+    target = target if output and target.suffix else target.with_suffix(f".{format}")
     if format in SOLIDS:
         made = export_solid(design, target, format, textures=path.parent, angle=angle, force=force)
     else:

@@ -1,32 +1,40 @@
 """FOLD 1.2: crease patterns of the pieces and the folding of the pop-up, for the tools of the origami community.
 
 One file is the whole design. Its own frame holds the crease patterns of all pieces as they lie on the sheets,
-sheets side by side, with `faces_vertices`. The first of the other frames is the open pose: one face per part
-(triangles where it has holes), with `popsim:` keys for what each face is and what is glued where. Frames that
-inherit from it are the card at smaller fold angles. Beside it each piece has a file of its own with its crease
-pattern, for tools that load single sheets.
+sheets side by side, with `faces_vertices`, and how far each crease is bent while the card stands at 90 degrees:
+then none is flat, and tools that fold crease patterns show the piece half closed. The first of the other frames is
+the open pose: one face per part (triangles where it has holes), with `popsim:` keys for what each face is and what
+is glued where. Frames that inherit from it are the card at smaller fold angles. Beside it each piece has a file of
+its own with its crease pattern, for tools that load single sheets.
 """
 
 import json
+from collections import Counter
 from collections.abc import Iterator
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
 from popsim.export.job import Job
 from popsim.geometry.arrays import FloatArray
 from popsim.geometry.flat import move
-from popsim.layout import Crease, Layout, Piece, Placement
+from popsim.layout import Crease, Fold, Layout, Piece, Placement
 from popsim.simulation import Sweep
 
 if TYPE_CHECKING:
-    from shapely.geometry import Polygon
+    from shapely.geometry import LineString, Point, Polygon
 
 SAME = 0.01
 """mm; corners this close are one vertex, and lines this close meet."""
 
 DECIMALS = 6
+
+STRAIGHT = 0.01
+"""Sine of the angle below which a corner is straight."""
+
+GRID = 0.05
+"""mm between the corners of crease patterns, at least: no slivers, on which simulators fail."""
 
 BETWEEN_SHEETS = 10.0
 """mm between two sheets."""
@@ -37,23 +45,61 @@ STEP = 15.0
 OPEN_FRAME = 1
 """Number of the frame of the open pose; the file's own is 0."""
 
+HALF_OPEN = 90.0
+"""Fold angle of the card, degrees, at which creases are as bent as `edges_foldAngle` says."""
+
+BORDER, CUT = "B", "C"
 ASSIGNMENT = {Crease.MOUNTAIN: "M", Crease.VALLEY: "V", Crease.NONE: "F"}
+BENT = {Crease.MOUNTAIN: -1.0, Crease.VALLEY: 1.0, Crease.NONE: 0.0}
+"""Sign of the fold angle, as FOLD has it."""
 
 
 def write_fold(job: Job, path: Path) -> tuple[Path, ...]:
     """Write one FOLD file of the whole design and one per piece; the same layout gives the same bytes."""
-    whole = _pattern(job.title, "pieces as cut", job.layout, job.layout.placements)
+    bends = _Bends(job.layout, job.sweep)
+    whole = _pattern(job.title, "pieces as cut", job.layout, job.layout.placements, bends)
     files = {path: whole | {"file_classes": ["singleModel"], "file_frames": list(_folding(job.layout, job.sweep))}}
     for placement in job.layout.placements:
         name = placement.piece.name
         own = path.with_name(f"{path.stem}-{name.replace('/', '-')}{path.suffix}")
-        files[own] = _pattern(f"{job.title}, {name}", name, job.layout, (placement,))
+        files[own] = _pattern(f"{job.title}, {name}", name, job.layout, (placement,), bends)
     for file, content in files.items():
         file.write_text(json.dumps(content, allow_nan=False, separators=(",", ":")) + "\n", encoding="utf-8")
     return tuple(files)
 
 
-def _pattern(title: str, frame: str, layout: Layout, placements: tuple[Placement, ...]) -> dict[str, Any]:
+class _Edge(NamedTuple):
+    """What an edge is, and the angle by which the paper is bent there, degrees; None if unknown."""
+
+    assignment: str
+    angle: float | None = 0.0
+
+
+class _Bends:
+    """How far creases are bent while the card is half open."""
+
+    def __init__(self, layout: Layout, sweep: Sweep | None) -> None:
+        self._layout, self._sweep = layout, sweep
+
+    def angle(self, fold: Fold) -> float | None:
+        """Fold angle of a crease, degrees, negative for mountains; None where no motion is known."""
+        if self._sweep is None:
+            return None
+        one, other = (self._normal(name) for name in fold.parts)
+        cosine = np.clip(one @ other * fold.face.value, -1.0, 1.0)
+        return round(BENT[fold.crease] * float(np.degrees(np.arccos(cosine))), DECIMALS)
+
+    def _normal(self, name: str) -> FloatArray:
+        """To the printed side of a part."""
+        assert self._sweep is not None
+        part, closing = self._layout.parts[name], self._sweep.degrees[: self._sweep.closed + 1]
+        pose = self._sweep.poses[int(np.abs(closing - HALF_OPEN).argmin()), self._sweep.index[part.patch.id]]
+        return np.asarray(pose[:3, :3] @ part.plane.normal)
+
+
+def _pattern(
+    title: str, frame: str, layout: Layout, placements: tuple[Placement, ...], bends: _Bends
+) -> dict[str, Any]:
     """A file whose frame is the crease pattern of some pieces."""
     return {
         "file_spec": 1.2,
@@ -64,7 +110,7 @@ def _pattern(title: str, frame: str, layout: Layout, placements: tuple[Placement
         "frame_title": frame,
         "frame_classes": ["creasePattern"],
         "frame_attributes": ["2D"],
-        **_crease_pattern(layout, placements),
+        **_crease_pattern(layout, placements, bends),
     }
 
 
@@ -75,21 +121,60 @@ class _Mesh:
         self.vertices: list[list[float]] = []
         self.groups: list[str] = []
         self.faces: list[list[int]] = []
-        self.edges: dict[tuple[int, int], str] = {}
+        self.edges: dict[tuple[int, int], _Edge] = {}
         self._index: dict[tuple[Any, ...], int] = {}
 
-    def add(self, ring: FloatArray, group: str, assignments: list[str]) -> None:
+    def add(self, ring: FloatArray, group: str, edges: list[_Edge]) -> None:
         """Add a face (n, d) and its edges; vertices are shared within `group`."""
         corners = [self._vertex(point, group) for point in ring]
         self.faces.append(corners)
-        for a, b, assignment in zip(corners, corners[1:] + corners[:1], assignments, strict=True):
-            self.edges.setdefault((min(a, b), max(a, b)), assignment)
+        for ends, edge in zip(_around(corners), edges, strict=True):
+            self.edges.setdefault(ends, edge)
+
+    def cut(self) -> None:
+        """Give the faces on both sides of cuts corners of their own: then a cut is two borders.
+
+        Borders that run into each other are a cut too, and what ends at one face is a border.
+        """
+        whole = {edge for edge, what in self.edges.items() if what.assignment not in (CUT, BORDER)}
+        around: dict[int, list[int]] = {}
+        for number, face in enumerate(self.faces):
+            for corner in face:
+                around.setdefault(corner, []).append(number)
+        renamed: dict[tuple[int, int], int] = {}
+        for corner, faces in around.items():
+            for group in self._held(corner, faces, whole)[1:]:
+                self.vertices.append(self.vertices[corner])
+                self.groups.append(self.groups[corner])
+                renamed |= {(number, corner): len(self.vertices) - 1 for number in group}
+        edges, self.edges = self.edges, {}
+        faced: Counter[tuple[int, int]] = Counter()
+        for number, face in enumerate(self.faces):
+            self.faces[number] = [renamed.get((number, corner), corner) for corner in face]
+            for old, new in zip(_around(face), _around(self.faces[number]), strict=True):
+                self.edges.setdefault(new, edges[old])
+                faced[new] += 1
+        self.edges = {edge: what if faced[edge] > 1 else _Edge(BORDER) for edge, what in self.edges.items()}
+
+    def _held(self, corner: int, faces: list[int], whole: set[tuple[int, int]]) -> list[list[int]]:
+        """The faces around a corner, those together that hang together there by edges that are not cut."""
+        sides = {
+            number: {edge for edge in _around(self.faces[number]) if corner in edge} & whole for number in faces
+        }
+        groups: list[list[int]] = []
+        for number in faces:
+            touched = [group for group in groups if any(sides[number] & sides[other] for other in group)]
+            groups = [group for group in groups if group not in touched]
+            groups.append([*(other for group in touched for other in group), number])
+        return groups
 
     def data(self) -> dict[str, Any]:
+        angles = [edge.angle for edge in self.edges.values()]
         return {
             "vertices_coords": self.vertices,
             "edges_vertices": [list(key) for key in self.edges],
-            "edges_assignment": list(self.edges.values()),
+            "edges_assignment": [edge.assignment for edge in self.edges.values()],
+            **({} if None in angles else {"edges_foldAngle": angles}),
             "faces_vertices": self.faces,
         }
 
@@ -102,33 +187,46 @@ class _Mesh:
         return self._index[key]
 
 
-def _crease_pattern(layout: Layout, placements: tuple[Placement, ...]) -> dict[str, Any]:
+def _around(face: list[int]) -> list[tuple[int, int]]:
+    """The edges of a face, each from its lower vertex."""
+    return [(min(a, b), max(a, b)) for a, b in zip(face, face[1:] + face[:1], strict=True)]
+
+
+def _crease_pattern(layout: Layout, placements: tuple[Placement, ...], bends: _Bends) -> dict[str, Any]:
     mesh = _Mesh()
     owners = []
     for placement in placements:
         shift = np.array([placement.sheet * (layout.paper.width + BETWEEN_SHEETS), 0.0])
-        for ring, assignments in _piece_faces(placement.piece):
-            mesh.add(move(placement.motion, ring) + shift, placement.piece.name, assignments)
+        for ring, edges in _piece_faces(placement.piece, bends):
+            mesh.add(move(placement.motion, ring) + shift, placement.piece.name, edges)
             owners.append(placement.piece.name)
+    mesh.cut()
     return {**mesh.data(), "faces_popsim:piece": owners}
 
 
-def _piece_faces(piece: Piece) -> list[tuple[FloatArray, list[str]]]:
-    """What outline, slits and creases of a piece enclose: rings with the assignment of each edge."""
+def _piece_faces(piece: Piece, bends: _Bends) -> list[tuple[FloatArray, list[_Edge]]]:
+    """What outline, slits and creases of a piece enclose: rings with what each edge is."""
     import shapely
 
-    creases = [(shapely.LineString(fold.ends), ASSIGNMENT[fold.crease]) for fold in piece.folds]
-    cuts = [shapely.LineString(ring) for ring in (piece.outline.exterior, *piece.outline.interiors)]
-    cuts += [shapely.LineString(slit) for slit in piece.slits]
-    noded = shapely.unary_union([*cuts, *(line for line, _ in creases)], grid_size=SAME)
-    border = shapely.unary_union(cuts)
+    lines = [
+        *(
+            (shapely.LineString(fold.ends), _Edge(ASSIGNMENT[fold.crease], bends.angle(fold)))
+            for fold in piece.folds
+        ),
+        *(
+            (shapely.LineString(ring), _Edge(BORDER))
+            for ring in (piece.outline.exterior, *piece.outline.interiors)
+        ),
+        *((_halved(slit), _Edge(CUT)) for slit in piece.slits),
+    ]
+    noded = shapely.unary_union([line for line, _ in lines], grid_size=GRID)
     faces = []
     for face in shapely.get_parts(shapely.polygonize(shapely.get_parts(noded))):
         if not piece.outline.contains(face.representative_point()):
             continue  # a hole of the outline
-        for ring in _without_holes(face):
+        for ring in _simple(face):
             middles = shapely.points((ring + np.roll(ring, -1, axis=0)) / 2)
-            faces.append((ring, [_assignment(middle, border, creases) for middle in middles]))
+            faces.append((ring, [_edge(middle, lines) for middle in middles]))
     return faces
 
 
@@ -136,15 +234,43 @@ def _without_holes(face: "Polygon") -> list[FloatArray]:
     """Counterclockwise rings (n, 2): the face's own, or those of triangles where it has holes."""
     import shapely
 
-    shapes = [face] if not face.interiors else shapely.get_parts(shapely.constrained_delaunay_triangles(face))
-    return [shapely.get_coordinates(shapely.orient_polygons(shape).exterior)[:-1] for shape in shapes]
+    return (
+        _triangles(face)
+        if face.interiors
+        else [shapely.get_coordinates(shapely.orient_polygons(face).exterior)[:-1]]
+    )
 
 
-def _assignment(middle: Any, border: Any, creases: list[tuple[Any, str]]) -> str:
-    for line, assignment in creases:
-        if line.distance(middle) < 2 * SAME:
-            return assignment
-    return "B" if border.distance(middle) < 2 * SAME else "J"
+def _triangles(face: "Polygon") -> list[FloatArray]:
+    """Counterclockwise triangles, each of shape (3, 2)."""
+    import shapely
+
+    found = shapely.orient_polygons(shapely.get_parts(shapely.constrained_delaunay_triangles(face)))
+    return [shapely.get_coordinates(shape.exterior)[:-1] for shape in found]
+
+
+def _simple(face: "Polygon") -> list[FloatArray]:
+    """Its ring, or those of triangles where it has holes, or straight corners, which others would lose."""
+    import shapely
+
+    ring = shapely.get_coordinates(face.exterior)[:-1]
+    before, after = ring - np.roll(ring, 1, axis=0), np.roll(ring, -1, axis=0) - ring
+    turn = np.abs(before[:, 0] * after[:, 1] - before[:, 1] * after[:, 0])
+    straight = turn < STRAIGHT * np.linalg.norm(before, axis=1) * np.linalg.norm(after, axis=1)
+    return _triangles(face) if straight.any() or face.interiors else _without_holes(face)
+
+
+def _halved(slit: FloatArray) -> "LineString":
+    """A slit with a corner in the middle of each straight part: where faces come apart though its ends hold."""
+    import shapely
+
+    middles = (slit[:-1] + slit[1:]) / 2
+    return shapely.LineString(np.insert(slit, np.arange(1, len(slit)), middles, axis=0))
+
+
+def _edge(middle: "Point", lines: "list[tuple[LineString, _Edge]]") -> _Edge:
+    """What a line through a point is; where there is none, triangles of one face meet."""
+    return next((edge for line, edge in lines if line.distance(middle) < GRID), _Edge("F"))
 
 
 def _folding(layout: Layout, sweep: Sweep | None) -> Iterator[dict[str, Any]]:
@@ -152,7 +278,7 @@ def _folding(layout: Layout, sweep: Sweep | None) -> Iterator[dict[str, Any]]:
     mesh, owners = _Mesh(), []
     for part in layout.parts.values():
         for ring in _without_holes(part.polygon):
-            mesh.add(part.plane.lift(ring), part.id, ["B"] * len(ring))
+            mesh.add(part.plane.lift(ring), part.id, [_Edge(BORDER)] * len(ring))
             owners.append(part.id)
     yield {
         "frame_title": "open pop-up",

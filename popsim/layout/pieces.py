@@ -14,6 +14,7 @@ from popsim.layout.folding import Crease, bend, into
 from popsim.layout.joints import Joint
 from popsim.layout.nets import Net
 from popsim.layout.parts import Part
+from popsim.layout.sites import Face
 
 if TYPE_CHECKING:
     from shapely.geometry import Polygon
@@ -28,11 +29,25 @@ SHORTEST_SLIT = 0.2
 
 @dataclass(frozen=True, eq=False)
 class Fold:
-    """A crease of a piece: where it runs (ends, shape (2, 2), piece coordinates), how it bends, and its joint."""
+    """A crease of a piece.
+
+    Attributes
+    ----------
+    ends:
+        Where it runs, shape (2, 2), piece coordinates.
+    crease, joint:
+        How it bends, and where that belongs to.
+    parts:
+        Ids of the part on one side of it, and of that with which the other side, a part or a flap, turns.
+    face:
+        Face of the latter part on the side to which that is printed.
+    """
 
     ends: FloatArray
     crease: Crease
     joint: Joint
+    parts: tuple[str, str]
+    face: Face
 
 
 @dataclass(frozen=True, eq=False)
@@ -127,13 +142,16 @@ def _inner_folds(net: Net, parts: Mapping[str, Part]) -> Iterator[Fold]:
         for one, other in zip(contacts(joint, first), contacts(joint, second), strict=True):
             if joint.hinge is not None:
                 crease = bend(first.plane.normal, into(second, other), joint.hinge)
-                yield Fold(move(net.motions[first.id], one.ends), crease, joint)
+                yield Fold(move(net.motions[first.id], one.ends), crease, joint, joint.parts, Face.PRINTED)
 
 
 def _flap_folds(net: Net, flaps: tuple[Flap, ...]) -> Iterator[Fold]:
     for flap in flaps:
         if flap.crease is not Crease.NONE:
-            yield Fold(move(net.motions[flap.carrier], flap.line), flap.crease, flap.joint)
+            turned = (flap.face is Face.PRINTED) == flap.glue_on_print
+            face = Face.REVERSE if turned else Face.PRINTED
+            ends = move(net.motions[flap.carrier], flap.line)
+            yield Fold(ends, flap.crease, flap.joint, (flap.carrier, flap.target), face)
 
 
 def _merged(shapes: list["BaseGeometry"], lines: list[FloatArray], name: str) -> "Polygon":

@@ -46,6 +46,8 @@ def test_the_format_is_that_of_the_file_to_be_written(popsim, design: Path, tmp_
     done = popsim("export", design, "-o", "sheet.svg")
     assert done.returncode == 0, done.stderr
     assert (tmp_path / "sheet-1.svg").read_text().startswith("<?xml")
+    assert popsim("export", design, "-o", "bare", "--format", "fold").returncode == 0
+    assert {"bare.fold", "bare-M1-C.fold"} <= {path.name for path in tmp_path.iterdir()}
     done = popsim("export", design, "-o", "sheet.dxf", "--format", "svg")
     assert done.returncode == 2 and "named as dxf" in done.stderr
 

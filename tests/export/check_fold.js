@@ -22,13 +22,17 @@ const checked = process.argv.slice(2).map((path) => {
   FOLD.filter.subdivideCrossingEdges_vertices(crossing, 1e-6);
   const faces = FOLD.convert.edges_vertices_to_faces_vertices(copy()).faces_vertices;
   const found = new Set(faces.map(ring));
+  const spots = file.vertices_coords.map(String);
+  const alone = (vertex) => spots.indexOf(spots[vertex]) === spots.lastIndexOf(spots[vertex]);
   return {
     vertices: file.vertices_coords.length,
     edges: file.edges_vertices.length,
     apart: near.vertices_coords.length,
     single: once.edges_vertices.length,
     uncrossed: crossing.vertices_coords.length,
-    missing: file.faces_vertices.filter((face) => !found.has(ring(face))).length,
+    spots: new Set(spots).size,
+    // beside a cut, whose two borders run in one direction, faces cannot be told by directions
+    missing: file.faces_vertices.filter((face) => face.every(alone) && !found.has(ring(face))).length,
     mountains: FOLD.filter.mountainEdges(file).length,
     valleys: FOLD.filter.valleyEdges(file).length,
   };

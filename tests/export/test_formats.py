@@ -2,8 +2,10 @@
 
 import json
 from pathlib import Path
+from typing import Any
 
 import ezdxf
+import networkx as nx
 import numpy as np
 import pytest
 from printed_design import Printed
@@ -75,6 +77,47 @@ def test_dxf_passes_the_audit_in_millimetres(printed: Printed, tmp_path: Path) -
         assert all(line.closed or len(line) >= 2 for line in cuts)
 
 
+def faces_of_edges(frame: dict[str, Any]) -> dict[frozenset[int], list[int]]:
+    found: dict[frozenset[int], list[int]] = {frozenset(edge): [] for edge in frame["edges_vertices"]}
+    for number, face in enumerate(frame["faces_vertices"]):
+        for pair in zip(face, face[1:] + face[:1], strict=True):
+            found[frozenset(pair)].append(number)
+    return found
+
+
+def faces_of_paper(frame: dict[str, Any]) -> int:
+    """How many are left where triangles of one face are put together."""
+    faces = nx.Graph()
+    faces.add_nodes_from(range(len(frame["faces_vertices"])))
+    shared = faces_of_edges(frame).values()
+    faces.add_edges_from(pair for pair, mark in zip(shared, frame["edges_assignment"], strict=True) if mark == "F")
+    return nx.number_connected_components(faces)
+
+
+def test_fold_says_how_far_creases_bend_while_the_card_is_half_open(printed: Printed, tmp_path: Path) -> None:
+    sweep = fold_design(printed.design, 36).sweep
+    files = export(printed.layout, tmp_path / "s.fold", "fold", texture_root=printed.folder, sweep=sweep)
+    signs = {"M": -1, "V": 1, "F": 0, "B": 0}
+    angles = set()
+    for file in files:
+        frame = json.loads(file.read_text())
+        marks, bends = frame["edges_assignment"], frame["edges_foldAngle"]
+        for mark, bend, faces in zip(marks, bends, faces_of_edges(frame).values(), strict=True):
+            assert np.sign(bend) == signs[mark]
+            assert len(faces) == (1 if mark == "B" else 2)  # cuts are two borders
+        angles |= {round(bend) for bend in bends}
+        places = np.array(frame["vertices_coords"])
+        ends = places[np.array(frame["edges_vertices"])]
+        assert np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1).min() > 0.04  # no slivers
+    # sides and tops of boxes bend by 45 and 135 degrees where the card stands at 90, the card itself by 90
+    assert {-135, -45, 45, 90, 135} <= angles
+
+
+def test_without_the_motion_fold_says_nothing_of_angles(printed: Printed, tmp_path: Path) -> None:
+    file, *_ = export(printed.layout, tmp_path / "s.fold", "fold", texture_root=printed.folder)
+    assert "edges_foldAngle" not in json.loads(file.read_text())
+
+
 def test_fold_has_faces_and_assignments(printed: Printed, tmp_path: Path) -> None:
     sweep = fold_design(printed.design, 36).sweep
     file, *pieces = export(printed.layout, tmp_path / "s.fold", "fold", texture_root=printed.folder, sweep=sweep)
@@ -91,7 +134,7 @@ def test_fold_has_faces_and_assignments(printed: Printed, tmp_path: Path) -> Non
             assert all(frozenset(pair) in edges for pair in zip(face, face[1:] + face[:1], strict=True))
     folds = [fold for piece in printed.layout.pieces for fold in piece.folds]
     assert sum(mark in "MV" for mark in data["edges_assignment"]) >= len(folds)
-    assert len(data["faces_vertices"]) == len(printed.design.patches) + len(printed.layout.flaps)
+    assert faces_of_paper(data) == len(printed.design.patches) + len(printed.layout.flaps)
     assert len(opened["popsim:glue"]) == len(printed.layout.flaps)
     angles = [frame["popsim:fold_angle"] for frame in folding]
     assert angles == pytest.approx(list(range(165, -1, -15)))
