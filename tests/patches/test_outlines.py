@@ -84,6 +84,28 @@ def test_a_wedge_beyond_the_face_keeps_its_slope():
     assert found.symmetric_difference(union(face, wedge)).area < 3.0
 
 
+def test_overlays_mend_what_offsets_made_cross_itself():
+    rim = [(-34.096, 3.413), (-37.496, 2.613), (-42.496, 2.0), (-47.296, 2.215), (-47.396, 2.5), (-47.391, 31.77)]
+    rim += [
+        (-31.206, 31.77),
+        (-30.496, 31.413),
+        (-29.496, 31.413),
+        (-28.036, 31.77),
+        (-27.4, 31.77),
+        (-27.4, 5.831),
+    ]
+    window = [(-39.896, 17.785), (-41.096, 17.787), (-45.164, 13.9), (-42.196, 13.9), (-39.496, 14.213)]
+    shape = Polygon(rim, [[*window, (-37.896, 14.613), (-37.626, 14.9)]])
+    assert (
+        not shape.buffer(-1, join_style="mitre", mitre_limit=3)
+        .buffer(1, join_style="mitre", mitre_limit=3)
+        .is_valid
+    )
+    found = opened(shape, 2.0)
+    assert found.is_valid
+    assert found.area == pytest.approx(shape.area, rel=0.01)
+
+
 def test_overlays_leave_areas_only():
     touching = common(box(0, 0, 10, 10), box(10, 0, 20, 10))
     assert touching.is_empty
