@@ -2,20 +2,22 @@
 
 One file is the whole design. Its own frame holds the crease patterns of all pieces as they lie on the sheets,
 sheets side by side, with `faces_vertices`, and how far each crease is bent while the card stands at 90 degrees:
-then none is flat, and tools that fold crease patterns show the piece half closed. The first of the other frames is
-the open pose: one face per part (triangles where it has holes), with `popsim:` keys for what each face is and what
-is glued where. Frames that inherit from it are the card at smaller fold angles. Beside it each piece has a file of
-its own with its crease pattern, for tools that load single sheets.
+then none is flat, and tools that fold crease patterns show the piece half closed. Patterns are in triangles made
+for such tools (`popsim.export.crease_pattern`), true to 0.2 mm; what a cutter needs is in the other formats. The
+first of the other frames is the open pose: one face per part (triangles where it has holes), with `popsim:` keys
+for what each face is and what is glued where. Frames that inherit from it are the card at smaller fold angles.
+Beside it each piece has a file of its own with its crease pattern, for tools that load single sheets.
 """
 
 import json
 from collections import Counter
 from collections.abc import Iterator
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from popsim.export.crease_pattern import BORDER, CUT, WITHIN, Edge, triangles
 from popsim.export.job import Job
 from popsim.geometry.arrays import FloatArray
 from popsim.geometry.flat import move
@@ -23,18 +25,12 @@ from popsim.layout import Crease, Fold, Layout, Piece, Placement
 from popsim.simulation import Sweep
 
 if TYPE_CHECKING:
-    from shapely.geometry import LineString, Point, Polygon
+    from shapely.geometry import Polygon
 
 SAME = 0.01
-"""mm; corners this close are one vertex, and lines this close meet."""
+"""mm; corners this close are one vertex."""
 
 DECIMALS = 6
-
-STRAIGHT = 0.01
-"""Sine of the angle below which a corner is straight."""
-
-GRID = 0.05
-"""mm between the corners of crease patterns, at least: no slivers, on which simulators fail."""
 
 BETWEEN_SHEETS = 10.0
 """mm between two sheets."""
@@ -48,7 +44,6 @@ OPEN_FRAME = 1
 HALF_OPEN = 90.0
 """Fold angle of the card, degrees, at which creases are as bent as `edges_foldAngle` says."""
 
-BORDER, CUT = "B", "C"
 ASSIGNMENT = {Crease.MOUNTAIN: "M", Crease.VALLEY: "V", Crease.NONE: "F"}
 BENT = {Crease.MOUNTAIN: -1.0, Crease.VALLEY: 1.0, Crease.NONE: 0.0}
 """Sign of the fold angle, as FOLD has it."""
@@ -66,13 +61,6 @@ def write_fold(job: Job, path: Path) -> tuple[Path, ...]:
     for file, content in files.items():
         file.write_text(json.dumps(content, allow_nan=False, separators=(",", ":")) + "\n", encoding="utf-8")
     return tuple(files)
-
-
-class _Edge(NamedTuple):
-    """What an edge is, and the angle by which the paper is bent there, degrees; None if unknown."""
-
-    assignment: str
-    angle: float | None = 0.0
 
 
 class _Bends:
@@ -121,10 +109,10 @@ class _Mesh:
         self.vertices: list[list[float]] = []
         self.groups: list[str] = []
         self.faces: list[list[int]] = []
-        self.edges: dict[tuple[int, int], _Edge] = {}
+        self.edges: dict[tuple[int, int], Edge] = {}
         self._index: dict[tuple[Any, ...], int] = {}
 
-    def add(self, ring: FloatArray, group: str, edges: list[_Edge]) -> None:
+    def add(self, ring: FloatArray, group: str, edges: list[Edge]) -> None:
         """Add a face (n, d) and its edges; vertices are shared within `group`."""
         corners = [self._vertex(point, group) for point in ring]
         self.faces.append(corners)
@@ -134,9 +122,10 @@ class _Mesh:
     def cut(self) -> None:
         """Give the faces on both sides of cuts corners of their own: then a cut is two borders.
 
-        Borders that run into each other are a cut too, and what ends at one face is a border.
+        Borders that run into each other are a cut too, what ends at one face is a border, and where both ends of a
+        cut hold, it is left out.
         """
-        whole = {edge for edge, what in self.edges.items() if what.assignment not in (CUT, BORDER)}
+        whole = {edge for edge, what in self.edges.items() if what not in (CUT, BORDER)}
         around: dict[int, list[int]] = {}
         for number, face in enumerate(self.faces):
             for corner in face:
@@ -154,7 +143,10 @@ class _Mesh:
             for old, new in zip(_around(face), _around(self.faces[number]), strict=True):
                 self.edges.setdefault(new, edges[old])
                 faced[new] += 1
-        self.edges = {edge: what if faced[edge] > 1 else _Edge(BORDER) for edge, what in self.edges.items()}
+        self.edges = {
+            edge: BORDER if faced[edge] == 1 else WITHIN if what == CUT else what
+            for edge, what in self.edges.items()
+        }
 
     def _held(self, corner: int, faces: list[int], whole: set[tuple[int, int]]) -> list[list[int]]:
         """The faces around a corner, those together that hang together there by edges that are not cut."""
@@ -197,88 +189,43 @@ def _crease_pattern(layout: Layout, placements: tuple[Placement, ...], bends: _B
     owners = []
     for placement in placements:
         shift = np.array([placement.sheet * (layout.paper.width + BETWEEN_SHEETS), 0.0])
-        for ring, edges in _piece_faces(placement.piece, bends):
+        for ring, edges in _triangles(placement.piece, bends):
             mesh.add(move(placement.motion, ring) + shift, placement.piece.name, edges)
             owners.append(placement.piece.name)
     mesh.cut()
     return {**mesh.data(), "faces_popsim:piece": owners}
 
 
-def _piece_faces(piece: Piece, bends: _Bends) -> list[tuple[FloatArray, list[_Edge]]]:
-    """What outline, slits and creases of a piece enclose: rings with what each edge is."""
+def _triangles(piece: Piece, bends: _Bends) -> Iterator[tuple[FloatArray, list[Edge]]]:
+    """What outline, slits and creases of a piece enclose: triangles (3, 2), with what each edge is."""
     import shapely
 
-    lines = [
-        *(
-            (shapely.LineString(fold.ends), _Edge(ASSIGNMENT[fold.crease], bends.angle(fold)))
+    found = triangles(
+        piece.outline,
+        [
+            (shapely.LineString(fold.ends), Edge(ASSIGNMENT[fold.crease], bends.angle(fold)))
             for fold in piece.folds
-        ),
-        *(
-            (shapely.LineString(ring), _Edge(BORDER))
-            for ring in (piece.outline.exterior, *piece.outline.interiors)
-        ),
-        *((_halved(slit), _Edge(CUT)) for slit in piece.slits),
-    ]
-    noded = shapely.unary_union([line for line, _ in lines], grid_size=GRID)
-    faces = []
-    for face in shapely.get_parts(shapely.polygonize(shapely.get_parts(noded))):
-        if not piece.outline.contains(face.representative_point()):
-            continue  # a hole of the outline
-        for ring in _simple(face):
-            middles = shapely.points((ring + np.roll(ring, -1, axis=0)) / 2)
-            faces.append((ring, [_edge(middle, lines) for middle in middles]))
-    return faces
+        ],
+        [shapely.LineString(slit) for slit in piece.slits],
+    )
+    for face in found.faces.tolist():
+        yield found.corners[face], [found.edges.get(edge, WITHIN) for edge in _around(face)]
 
 
-def _without_holes(face: "Polygon") -> list[FloatArray]:
+def _rings(face: "Polygon") -> list[FloatArray]:
     """Counterclockwise rings (n, 2): the face's own, or those of triangles where it has holes."""
     import shapely
 
-    return (
-        _triangles(face)
-        if face.interiors
-        else [shapely.get_coordinates(shapely.orient_polygons(face).exterior)[:-1]]
-    )
-
-
-def _triangles(face: "Polygon") -> list[FloatArray]:
-    """Counterclockwise triangles, each of shape (3, 2)."""
-    import shapely
-
-    found = shapely.orient_polygons(shapely.get_parts(shapely.constrained_delaunay_triangles(face)))
-    return [shapely.get_coordinates(shape.exterior)[:-1] for shape in found]
-
-
-def _simple(face: "Polygon") -> list[FloatArray]:
-    """Its ring, or those of triangles where it has holes, or straight corners, which others would lose."""
-    import shapely
-
-    ring = shapely.get_coordinates(face.exterior)[:-1]
-    before, after = ring - np.roll(ring, 1, axis=0), np.roll(ring, -1, axis=0) - ring
-    turn = np.abs(before[:, 0] * after[:, 1] - before[:, 1] * after[:, 0])
-    straight = turn < STRAIGHT * np.linalg.norm(before, axis=1) * np.linalg.norm(after, axis=1)
-    return _triangles(face) if straight.any() or face.interiors else _without_holes(face)
-
-
-def _halved(slit: FloatArray) -> "LineString":
-    """A slit with a corner in the middle of each straight part: where faces come apart though its ends hold."""
-    import shapely
-
-    middles = (slit[:-1] + slit[1:]) / 2
-    return shapely.LineString(np.insert(slit, np.arange(1, len(slit)), middles, axis=0))
-
-
-def _edge(middle: "Point", lines: "list[tuple[LineString, _Edge]]") -> _Edge:
-    """What a line through a point is; where there is none, triangles of one face meet."""
-    return next((edge for line, edge in lines if line.distance(middle) < GRID), _Edge("F"))
+    whole = [face] if not face.interiors else shapely.get_parts(shapely.constrained_delaunay_triangles(face))
+    return [shapely.get_coordinates(shape.exterior)[:-1] for shape in shapely.orient_polygons(whole)]
 
 
 def _folding(layout: Layout, sweep: Sweep | None) -> Iterator[dict[str, Any]]:
     """The open pose, and the frames that inherit from it."""
     mesh, owners = _Mesh(), []
     for part in layout.parts.values():
-        for ring in _without_holes(part.polygon):
-            mesh.add(part.plane.lift(ring), part.id, [_Edge(BORDER)] * len(ring))
+        for ring in _rings(part.polygon):
+            mesh.add(part.plane.lift(ring), part.id, [BORDER] * len(ring))
             owners.append(part.id)
     yield {
         "frame_title": "open pop-up",

@@ -108,7 +108,7 @@ def test_fold_says_how_far_creases_bend_while_the_card_is_half_open(printed: Pri
         angles |= {round(bend) for bend in bends}
         places = np.array(frame["vertices_coords"])
         ends = places[np.array(frame["edges_vertices"])]
-        assert np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1).min() > 0.04  # no slivers
+        assert np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1).min() > 0.1  # no slivers
     # sides and tops of boxes bend by 45 and 135 degrees where the card stands at 90, the card itself by 90
     assert {-135, -45, 45, 90, 135} <= angles
 
@@ -133,7 +133,10 @@ def test_fold_has_faces_and_assignments(printed: Printed, tmp_path: Path) -> Non
         for face in frame["faces_vertices"]:
             assert all(frozenset(pair) in edges for pair in zip(face, face[1:] + face[:1], strict=True))
     folds = [fold for piece in printed.layout.pieces for fold in piece.folds]
-    assert sum(mark in "MV" for mark in data["edges_assignment"]) >= len(folds)
+    ends = np.array(data["vertices_coords"])[np.array(data["edges_vertices"])]
+    bent = np.array([mark in "MV" for mark in data["edges_assignment"]])
+    lengths = sum(float(np.linalg.norm(fold.ends[1] - fold.ends[0])) for fold in folds)
+    assert np.linalg.norm(ends[bent, 1] - ends[bent, 0], axis=1).sum() == pytest.approx(lengths, rel=0.002)
     assert faces_of_paper(data) == len(printed.design.patches) + len(printed.layout.flaps)
     assert len(opened["popsim:glue"]) == len(printed.layout.flaps)
     angles = [frame["popsim:fold_angle"] for frame in folding]
