@@ -1,15 +1,10 @@
 """Drawing a layout: the marks of all pieces on their sheets, and the furniture round them."""
 
-import numpy as np
-
-from popsim.layout.furniture import furnish, measures
+from popsim.layout.furniture import furnish, furnish_reverse
 from popsim.layout.layout import Layout
 from popsim.layout.notes import note_marks, notes_place, own_sheet
 from popsim.layout.piece_marks import piece_marks, reverse_marks
-from popsim.layout.sheet import Mark, Meaning, Role, Sheet, Text
-
-HEADING = 3.0
-"""mm; font size of the heading of a reverse."""
+from popsim.layout.sheet import Mark, Meaning, Role, Sheet
 
 
 def draw_sheets(
@@ -43,13 +38,14 @@ def draw_sheets(
         marks = [mark for placement in own for mark in piece_marks(layout, placement, two_sided=two_sided)]
         if place is not None and place.sheet == number:
             marks += note_marks(notes, place)
-        marks += furnish(layout.paper, layout.settings, title, footer=footer, banner=banner)
+        marks += furnish(layout.paper, layout.settings, title, footer=footer, banner=banner, two_sided=two_sided)
         sheets.append(_sheet(layout, title, marks, f"{number + 1}"))
         if two_sided:
             width = layout.paper.width
             behind = [mark for placement in own for mark in reverse_marks(layout, placement, width)]
-            behind += [*_headings(layout, title, banner), *measures(layout.settings.frame(layout.paper), footer)]
-            sheets.append(_sheet(layout, f"{title}, reverse", behind, f"{number + 1}-reverse"))
+            title = f"{title}, reverse"
+            behind += furnish_reverse(layout.paper, layout.settings, title, footer=footer, banner=banner)
+            sheets.append(_sheet(layout, title, behind, f"{number + 1}-reverse"))
     if notes and place is None:
         furniture = furnish(layout.paper, layout.settings, "Notes", footer=footer, banner=banner)
         sheets.append(_sheet(layout, "Notes", [*note_marks(notes, own_sheet(layout)), *furniture], "notes"))
@@ -61,9 +57,3 @@ def _sheet(layout: Layout, title: str, marks: list[Mark], suffix: str) -> Sheet:
     order: list[Meaning] = list(Role)
     marks.sort(key=lambda mark: order.index(mark.role))
     return Sheet(title, layout.paper.width, layout.paper.height, tuple(marks), suffix)
-
-
-def _headings(layout: Layout, title: str, banner: str | None) -> list[Mark]:
-    frame = layout.settings.frame(layout.paper)
-    words = f"{title}, reverse: print on the back, flipped on the long edge. {banner or ''}".rstrip()
-    return [Text(Role.LABEL, words, np.array([frame.left, frame.high - HEADING]), HEADING)]

@@ -1,6 +1,6 @@
 """What stands round the pieces on every sheet: title, banner, legend, scale bars, reproduction line."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
@@ -16,6 +16,9 @@ SMALL = 2.2
 TITLE = 2.6
 """mm; font size of the title."""
 
+HEADING = 3.0
+"""mm; font size of the heading of a reverse."""
+
 FINE = 1.8
 """mm; font size of the reproduction line."""
 
@@ -27,7 +30,7 @@ LEGEND = (
     (Role.VALLEY, "valley fold: towards you"),
 )
 
-PLACES = "7: flap 7 goes here; (7): behind here"
+PLACE, BEHIND = "7: flap 7 goes here", "(7): behind here"
 
 ADVICE: dict[CreaseAdvice, str] = {
     "fold": "fold without scoring",
@@ -45,17 +48,34 @@ SAMPLE = 11.5
 
 
 def furnish(
-    paper: Paper, settings: LayoutSettings, title: str, *, footer: str, banner: str | None
+    paper: Paper,
+    settings: LayoutSettings,
+    title: str,
+    *,
+    footer: str,
+    banner: str | None,
+    two_sided: bool = False,
 ) -> Iterator[Mark]:
-    """Marks in the bands above and below the pieces."""
+    """Marks in the bands above and below the pieces; with `two_sided`, what is glued behind is drawn there."""
     frame = settings.frame(paper)
     yield from _head(frame, settings.stock, title, banner)
-    yield from measures(frame, footer)
-    yield from _legend(frame.left, frame.right, frame.low + 9.7)
+    yield from _measures(frame, footer)
+    yield from _legend(frame, LEGEND, PLACE if two_sided else f"{PLACE}; {BEHIND}")
     yield from REGISTRATIONS[settings.registration].marks(paper)
 
 
-def measures(frame: Frame, footer: str) -> Iterator[Mark]:
+def furnish_reverse(
+    paper: Paper, settings: LayoutSettings, title: str, *, footer: str, banner: str | None
+) -> Iterator[Mark]:
+    """The same of the back of a sheet, on which there are places and names alone."""
+    frame = settings.frame(paper)
+    words = f"{title}: print on the back, flipped on the long edge. {banner or ''}".rstrip()
+    yield Text(Role.LABEL, words, np.array([frame.left, frame.high - HEADING]), HEADING)
+    yield from _measures(frame, footer)
+    yield from _legend(frame, (), f"{PLACE}, on this side")
+
+
+def _measures(frame: Frame, footer: str) -> Iterator[Mark]:
     """The scale bars, what to do with them, and the line that reproduces the sheet, at its foot."""
     beside = frame.width >= BARS + text_width(NOTE, SMALL)
     yield from _footer(footer if beside else f"{NOTE} {footer}", frame)
@@ -96,13 +116,13 @@ def _bar(left: float, y: float, step: float, count: int, name: str) -> Iterator[
     yield Text(Role.LABEL, name, np.array([left + step * count + 1.5, y]), SMALL)
 
 
-def _legend(left: float, right: float, y: float) -> Iterator[Mark]:
-    """Samples with their meanings, side by side; smaller on narrow paper."""
-    words = [name for _, name in LEGEND] + [PLACES]
+def _legend(frame: Frame, lines: Sequence[tuple[Role, str]], place: str) -> Iterator[Mark]:
+    """Samples of lines and of a place with their meanings, side by side; smaller on narrow paper."""
+    words = [name for _, name in lines] + [place]
     natural = sum(SAMPLE + TEXT_WIDTH * SMALL * len(name) + 2 for name in words)
-    scale = min(1.0, (right - left) / natural)
-    x = left
-    for role, name in (*LEGEND, (None, PLACES)):
+    scale = min(1.0, frame.width / natural)
+    x, y = frame.left, frame.low + 9.7
+    for role, name in (*lines, (None, place)):
         if role is None:
             low, high = [x, y - 0.3 * scale], [x + 10 * scale, y + 2 * scale]
             square = np.array([low, [high[0], low[1]], high, [low[0], high[1]]])

@@ -37,6 +37,23 @@ def test_reverse_sheets_are_not_cut(box: Design) -> None:
         assert not sheet.of(Role.CUT, Role.MOUNTAIN, Role.VALLEY)
 
 
+@pytest.mark.parametrize("two_sided", [False, True])
+def test_every_side_says_what_its_marks_mean(box: Design, two_sided: bool) -> None:
+    layout = lay_out(box, paper="A5")
+    sheets = draw_sheets(layout, two_sided=two_sided, footer="reproduced by")
+    for sheet in sheets:
+        reverse = sheet.name.endswith("reverse")
+        words = " ".join(texts(sheet))
+        for line in ("cut", "mountain fold", "valley fold"):
+            assert (line in words) != reverse
+        assert "flap 7 goes here" in words
+        assert ("behind here" in words) != two_sided
+        samples = {mark.looks for mark in sheet.of(Role.LABEL) if isinstance(mark, Line | Area)} - {None}
+        assert samples == ({Role.GLUE} if reverse else {Role.CUT, Role.MOUNTAIN, Role.VALLEY, Role.GLUE})
+        assert {"5 cm", "2 in"} <= set(texts(sheet))
+        assert "reproduced by" in words
+
+
 def test_silhouette_marks_keep_clear_of_the_pieces(box: Design) -> None:
     layout = lay_out(box, settings=LayoutSettings(registration="silhouette"))
     (sheet, *_) = draw_sheets(layout)
