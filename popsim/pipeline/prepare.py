@@ -125,5 +125,5 @@ def _prepared(path: Path, stance: Stance, size: float | Scale, seed: int) -> Ite
 def check_size(longest: float, what: str = "size: {}") -> None:
     """Raise InputError for a longest side, mm, that is a mistake in units; `what` says where it comes from."""
     if not SMALLEST <= longest <= LARGEST:
-        found = what.format(f"{longest:.3g} mm")
+        found = what.format(f"{longest:.0f} mm" if longest >= SMALLEST else f"{longest:.3g} mm")
         raise InputError(f"{found}; expected {SMALLEST:g} to {LARGEST:g} mm")
