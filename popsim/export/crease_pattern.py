@@ -13,8 +13,10 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from popsim.geometry.arrays import FloatArray, IntArray
+from popsim.geometry.flat import flat_motion, move_shape
 
 if TYPE_CHECKING:
+    from shapely import STRtree
     from shapely.geometry import LineString, Polygon
     from shapely.geometry.base import BaseGeometry
 
@@ -73,30 +75,28 @@ def triangles(
     """
     import shapely
 
+    aside = flat_motion(0.0, ASIDE)
+    outline = move_shape(aside, outline)
     rings = [shapely.LineString(ring) for ring in (outline.exterior, *outline.interiors)]
-    whole = shapely.union_all(rings)
-    lines = [(_reaching(crease, whole), what) for crease, what in creases]
+    lines = [(_reaching(move_shape(aside, crease), outline.boundary), what) for crease, what in creases]
     lines += [(ring, BORDER) for ring in rings]
-    lines += [(_halved(line), CUT) for line in cuts]
-    lines = [(shapely.transform(line, lambda places: places + ASIDE), what) for line, what in lines]
+    lines += [(_halved(move_shape(aside, line)), CUT) for line in cuts]
     raw = [line for line, _ in lines]
     noded = shapely.get_parts(shapely.unary_union(raw, grid_size=APART))
-    inside = [
-        face
-        for face in shapely.get_parts(shapely.polygonize(noded))
-        if outline.contains(shapely.transform(face.representative_point(), lambda places: places - ASIDE))
-    ]
+    found = shapely.get_parts(shapely.polygonize(noded))
+    inside = [face for face in found if outline.contains(face.representative_point())]
     corners, index = _corners(noded)
     faces = np.array(
-        [[index[key] for key in _keys(triangle)] for face in inside for triangle in _triangles(face)],
+        [[index[key] for key in _keys(triangle)] for face in inside for triangle in triangulated(face)],
         dtype=np.intp,
     ).reshape(-1, 3)
     segments = {
-        _ordered(index[a], index[b]) for line in noded for a, b in pairwise(_keys(shapely.get_coordinates(line)))
+        ordered(index[a], index[b]) for line in noded for a, b in pairwise(_keys(shapely.get_coordinates(line)))
     }
+    pixels = shapely.STRtree(shapely.box(*(corners - APART / 2).T, *(corners + APART / 2).T))
     edges: dict[tuple[int, int], Edge] = {}
     for line, what in lines:
-        for edge in _image(line, corners):
+        for edge in _image(line, corners, pixels):
             if edge in segments:
                 edges.setdefault(edge, what)
     return Triangles(_put_back(corners, faces, _spots(raw)) - ASIDE, faces, edges)
@@ -106,14 +106,11 @@ def _reaching(crease: "LineString", border: "BaseGeometry") -> "LineString":
     """A crease, drawn on to the border where it ends just beside it: else it would bound no face."""
     import shapely
 
-    ends = shapely.points(shapely.get_coordinates(crease))
-    near = shapely.shortest_line(ends, border)
-    first, last = (shapely.get_coordinates(line)[::-1] for line in near)
-    reach = [0.0 < length <= APART for length in shapely.length(near)]
-    inner = shapely.get_coordinates(crease)
-    return shapely.LineString(
-        np.vstack([*([first[:1]] if reach[0] else []), inner, *([last[:1]] if reach[1] else [])])
-    )
+    ends = shapely.get_coordinates(crease)
+    onto = shapely.get_coordinates(shapely.shortest_line(shapely.points(ends), border))[1::2]
+    away = np.linalg.norm(onto - ends, axis=1)
+    near = (away > 0.0) & (away <= APART)
+    return shapely.LineString(np.vstack([onto[:1][near[:1]], ends, onto[1:][near[1:]]]))
 
 
 def _halved(line: "LineString") -> "LineString":
@@ -140,11 +137,12 @@ def _keys(points: FloatArray) -> list[tuple[int, int]]:
     return [(int(x), int(y)) for x, y in np.round(points / APART)]
 
 
-def _ordered(one: int, other: int) -> tuple[int, int]:
+def ordered(one: int, other: int) -> tuple[int, int]:
+    """The edge between two corners, from the lower one."""
     return (one, other) if one < other else (other, one)
 
 
-def _triangles(face: "Polygon") -> list[FloatArray]:
+def triangulated(face: "Polygon") -> list[FloatArray]:
     """Counterclockwise triangles of a face, each of shape (3, 2); all its corners are used, straight ones too."""
     import shapely
 
@@ -152,15 +150,14 @@ def _triangles(face: "Polygon") -> list[FloatArray]:
     return [shapely.get_coordinates(shape.exterior)[:-1] for shape in found]
 
 
-def _image(line: "LineString", corners: FloatArray) -> Iterator[tuple[int, int]]:
-    """What a line has become: the corners that it passes closer than the grid tells apart, in pairs."""
+def _image(line: "LineString", corners: FloatArray, pixels: "STRtree") -> Iterator[tuple[int, int]]:
+    """What a line has become: the corners whose `pixels` of the grid it passes, in pairs."""
     import shapely
 
-    pixels = shapely.STRtree(shapely.box(*(corners - APART / 2).T, *(corners + APART / 2).T))
     for start, end in pairwise(shapely.get_coordinates(line)):
         passed = pixels.query(shapely.LineString([start, end]), "intersects")
         along = np.argsort((corners[passed] - start) @ (end - start), kind="stable")
-        yield from (_ordered(int(a), int(b)) for a, b in pairwise(passed[along]))
+        yield from (ordered(int(a), int(b)) for a, b in pairwise(passed[along]))
 
 
 def _spots(lines: "Sequence[LineString]") -> FloatArray:

@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from popsim.export.crease_pattern import BORDER, CUT, WITHIN, Edge, triangles
+from popsim.export.crease_pattern import BORDER, CUT, WITHIN, Edge, ordered, triangles, triangulated
 from popsim.export.job import Job
 from popsim.geometry.arrays import FloatArray
 from popsim.geometry.flat import move
@@ -181,7 +181,7 @@ class _Mesh:
 
 def _around(face: list[int]) -> list[tuple[int, int]]:
     """The edges of a face, each from its lower vertex."""
-    return [(min(a, b), max(a, b)) for a, b in zip(face, face[1:] + face[:1], strict=True)]
+    return [ordered(a, b) for a, b in zip(face, face[1:] + face[:1], strict=True)]
 
 
 def _crease_pattern(layout: Layout, placements: tuple[Placement, ...], bends: _Bends) -> dict[str, Any]:
@@ -216,8 +216,9 @@ def _rings(face: "Polygon") -> list[FloatArray]:
     """Counterclockwise rings (n, 2): the face's own, or those of triangles where it has holes."""
     import shapely
 
-    whole = [face] if not face.interiors else shapely.get_parts(shapely.constrained_delaunay_triangles(face))
-    return [shapely.get_coordinates(shape.exterior)[:-1] for shape in shapely.orient_polygons(whole)]
+    if face.interiors:
+        return triangulated(face)
+    return [shapely.get_coordinates(shapely.orient_polygons(face).exterior)[:-1]]
 
 
 def _folding(layout: Layout, sweep: Sweep | None) -> Iterator[dict[str, Any]]:

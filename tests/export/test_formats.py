@@ -133,6 +133,7 @@ def test_fold_has_faces_and_assignments(printed: Printed, tmp_path: Path) -> Non
         for face in frame["faces_vertices"]:
             assert all(frozenset(pair) in edges for pair in zip(face, face[1:] + face[:1], strict=True))
     folds = [fold for piece in printed.layout.pieces for fold in piece.folds]
+    assert sum(mark in "MV" for mark in data["edges_assignment"]) >= len(folds)
     ends = np.array(data["vertices_coords"])[np.array(data["edges_vertices"])]
     bent = np.array([mark in "MV" for mark in data["edges_assignment"]])
     lengths = sum(float(np.linalg.norm(fold.ends[1] - fold.ends[0])) for fold in folds)
