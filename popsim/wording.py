@@ -120,6 +120,9 @@ FOLDS_FLAT = (
 )
 """What a report means by folding flat in the middle of the assembly."""
 
+DIVIDED = "printed in parts that are glued together again, for the sake of the sheets: {patches}"
+"""Which patches are divided."""
+
 EASE = (
     "{steps} steps, {joints} joints ({standing} standing, {blind} blind), {turns} turns, "
     "about {minutes:.0f} minutes"

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from popsim import wording
 from popsim.cli.options import (
     ForceFolder,
     Formats,
@@ -182,6 +183,8 @@ def _designed(model: Path, settings: "RunSettings", wishes: Path | None, output:
     for doubt in run.doubts:
         typer.echo(doubt)
     if planned is not None:
+        if planned.layout.divided:
+            typer.echo(wording.DIVIDED.format(patches=wording.listed(list(planned.layout.divided))))
         typer.echo(f"to be made in {planned.plan.ease}")
         for problem in planned.unproved:
             typer.echo(problem)

@@ -90,6 +90,12 @@ def parts_of(design: Design, divisions: Iterable[Division], grain: int | None = 
     return tuple(parts)
 
 
+def hints_of(part: Part, design: Design, marks: Iterable[FloatArray] = ()) -> Hints:
+    """What seams of a whole patch heed: its hinges, and corners of parts near its plane, each (3,)."""
+    lines = [part.flat(hinge.points) for hinge in design.hinges_by_patch[part.id]]
+    return Hints(lines, [part.flat(mark) for mark in marks if abs(float(part.plane.distance(mark))) < TOUCHING])
+
+
 def _groups(design: Design, room: Room, settings: LayoutSettings) -> list[list[Patch]]:
     """Patches that must be divided, by their planes."""
     groups: list[list[Patch]] = []
@@ -125,13 +131,11 @@ def _divided(
     marks = list(before)
     for patch in group:
         part = whole(patch, settings.grain_axis(room))
-        lines = [part.flat(hinge.points) for hinge in design.hinges_by_patch[patch.id]]
-        wished = [part.flat(mark) for mark in marks if abs(float(part.plane.distance(mark))) < TOUCHING]
         whole_flaps = _size(_with_flaps(part, design.hinges_by_patch[patch.id], settings)) - _size(part.polygon)
         flaps = Flaps(
             whole_flaps, 2 * settings.seam_depth
         )  # a part in the middle may carry those of both its seams
-        hints = Hints(lines, wished)
+        hints = hints_of(part, design, marks)
         polygons = cut(part.polygon, room, flaps, hints, leaning=leaning, more=more, grain=settings.grain)
         division[patch.id] = tuple(polygons)
         marks += _corners(design, {patch.id: division[patch.id]}, settings.grain_axis(room))

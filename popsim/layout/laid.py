@@ -1,13 +1,16 @@
 """A layout on its way: pieces as planned, and then their places."""
 
-from collections.abc import Collection, Mapping
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from popsim.geometry.flat import move_shape
+from popsim.layout.divisions import Division
+from popsim.layout.errors import LayoutError
 from popsim.layout.filling import Place
 from popsim.layout.flap import Flap
 from popsim.layout.joints import Joint
+from popsim.layout.nesting import Estimator
 from popsim.layout.nets import Net
 from popsim.layout.parts import Part
 from popsim.layout.pieces import Piece
@@ -24,16 +27,31 @@ WELD = 0.01
 GAIN = 0.05
 """Share of a sheet that a change must fill, unless it saves one or fills all."""
 
+PLANS = 4
+"""Changes planned in full at most before one is found that is worth it: estimates are not exact."""
+
 
 @dataclass(frozen=True, eq=False)
 class Planned:
-    """Parts by id, and joints; nets, their flaps, and the pieces made of both, in the order of the nets."""
+    """What is cut, folded and glued, but not yet where it lies.
+
+    Attributes
+    ----------
+    parts, joints, nets, flaps, pieces:
+        Parts by id, and joints; nets, their flaps, and the pieces made of both, in the order of the nets.
+    divisions:
+        Of patches, as far as they are divided.
+    barred:
+        Ids of joints that were not allowed to be folds.
+    """
 
     parts: Mapping[str, Part]
     joints: tuple[Joint, ...]
     nets: tuple[Net, ...]
     flaps: tuple[Flap, ...]
     pieces: tuple[Piece, ...]
+    divisions: tuple[Division, ...] = ()
+    barred: frozenset[str] = frozenset()
 
     @property
     def outlines(self) -> list["Polygon"]:
@@ -66,8 +84,52 @@ class Laid:
         return waste_of(self.planned.shares(room), [place.sheet for place in self.places])
 
 
+Plan = Callable[[Sequence[Division], frozenset[str]], Planned]
+"""Plans all pieces with patches divided as told, where joints of some ids are no folds; may raise LayoutError."""
+
+
 def is_worth(after: Waste, before: Waste) -> bool:
     """Whether a change that costs something saves a sheet, or fills sheets that are not well filled."""
     return after.sheets < before.sheets or (
         after.sheets == before.sheets and after.lacking < max(before.lacking - GAIN, 1e-9)
     )
+
+
+def improved(
+    laid: Laid,
+    changes: Callable[[Laid], Sequence[Callable[[], Planned]]],
+    place: Callable[[Planned], Laid],
+    estimator: Estimator,
+    room: Room,
+    *,
+    most: int,
+) -> Laid:
+    """What is laid out, changed while sheets but the last are not well filled and a change is worth it.
+
+    Parameters
+    ----------
+    changes:
+        Finds what could be changed, the most promising first; each plans all anew, and may raise LayoutError where
+        that leaves no room.
+    place:
+        Finds places for all pieces.
+    most:
+        How often something is changed at most.
+    """
+    for _ in range(most):
+        before = laid.waste(room)
+        for change in changes(laid)[:PLANS] if before.lacking else ():
+            try:
+                planned = change()
+            except LayoutError:  # its flaps have no room
+                continue
+            after = estimator.waste(planned.outlines)
+            if after is None or not is_worth(after, before):
+                continue
+            other = place(planned)
+            if is_worth(other.waste(room), before):
+                laid = other
+                break
+        else:
+            break
+    return laid

@@ -1,8 +1,8 @@
 """A layout: all pieces of a design, and where they lie on the sheets."""
 
+from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from functools import partial
 
 from popsim.design import Design
 from popsim.geometry.arrays import FloatArray
@@ -10,6 +10,7 @@ from popsim.geometry.flat import flat_motion, move_shape
 from popsim.layout.divisions import Division, other_divisions, parts_of, plain_divisions
 from popsim.layout.flap import Flap
 from popsim.layout.flaps import InTheWay
+from popsim.layout.halving import with_halved_patches
 from popsim.layout.joints import Joint, find_joints
 from popsim.layout.laid import Laid, Planned, is_worth
 from popsim.layout.nesting import Estimator, nest, suffices
@@ -72,6 +73,12 @@ class Layout:
         return max((placement.sheet for placement in self.placements), default=-1) + 1
 
     @property
+    def divided(self) -> dict[str, int]:
+        """Into how many parts patches are divided, by patch id; those that are whole are not in it."""
+        counts = Counter(part.patch.id for part in self.parts.values())
+        return {patch: count for patch, count in counts.items() if count > 1}
+
+    @property
     def flaps(self) -> tuple[Flap, ...]:
         """All flaps, piece by piece."""
         return tuple(flap for piece in self.pieces for flap in piece.flaps)
@@ -112,7 +119,7 @@ def lay_out(
     room, recurring = settings.area(paper), Recurring()
 
     def plan(divisions: Sequence[Division], barred: frozenset[str] = frozenset()) -> Planned:
-        return _planned(design, divisions, room, settings, in_the_way, barred, recurring)
+        return _planned(design, tuple(divisions), room, settings, in_the_way, barred, recurring)
 
     def place(planned: Planned, *, patient: bool = False) -> Laid:
         names = [piece.name for piece in planned.pieces]
@@ -130,8 +137,8 @@ def lay_out(
     def enough() -> bool:
         return best is not None and not best.waste(room).lacking
 
-    for divisions, laid in lay_out_divided(plan, place, plain, others, estimator, room, settings, enough):
-        opened = with_opened_folds(partial(plan, divisions), place, laid, estimator, room, settings)
+    for laid in lay_out_divided(plan, place, plain, others, estimator, room, settings, enough):
+        opened = with_opened_folds(plan, place, laid, estimator, room, settings)
         if best is None or is_worth(opened.waste(room), best.waste(room)):
             best = opened
         if suffices(best.waste(room), best.planned.shares(room)):
@@ -139,6 +146,8 @@ def lay_out(
     assert best is not None  # at least the plainest division is laid out, or refused
     if best.waste(room).lacking:
         best = min(best, place(best.planned, patient=True), key=lambda laid: laid.waste(room))
+    if settings.split and best.waste(room).lacking:
+        best = with_halved_patches(plan, place, best, design, estimator, room, settings)
     return _finished(best, paper, settings)
 
 
@@ -155,7 +164,7 @@ def _finished(laid: Laid, paper: Paper, settings: LayoutSettings) -> Layout:
 
 def _planned(
     design: Design,
-    divisions: Sequence[Division],
+    divisions: tuple[Division, ...],
     room: Room,
     settings: LayoutSettings,
     in_the_way: InTheWay,
@@ -171,7 +180,7 @@ def _planned(
     pieces = make_pieces(parts, nets, flaps)
     for piece in pieces:
         _check_size(piece, parts, room, settings)
-    return Planned(parts, joints, nets, flaps, pieces)
+    return Planned(parts, joints, nets, flaps, pieces, divisions, barred)
 
 
 def _check_size(piece: Piece, parts: Mapping[str, Part], room: Room, settings: LayoutSettings) -> None:

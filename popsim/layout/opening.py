@@ -5,11 +5,11 @@ fold whose opening saves a sheet, or fills them, becomes a glue joint; where non
 """
 
 from collections.abc import Callable, Iterator
+from functools import partial
 from typing import TYPE_CHECKING, NamedTuple
 
-from popsim.layout.errors import LayoutError
 from popsim.layout.joints import Joint
-from popsim.layout.laid import Laid, Planned, is_worth
+from popsim.layout.laid import Laid, Plan, Planned, improved, is_worth
 from popsim.layout.nesting import Estimator
 from popsim.layout.settings import LayoutSettings
 from popsim.layout.too_large import Room
@@ -20,9 +20,6 @@ if TYPE_CHECKING:
 
 OPENINGS = 2
 """Folds opened at most; each is one more line to glue."""
-
-PLANS = 4
-"""Openings planned in full at most before one is found that is worth it: estimates are not exact."""
 
 EFFORT = 50_000_000
 """Cells looked at after which no folds of sheets that are well filled are tried."""
@@ -50,7 +47,7 @@ class Opening(NamedTuple):
 
 
 def with_opened_folds(
-    plan: Callable[[frozenset[str]], Planned],
+    plan: Plan,
     place: Callable[[Planned], Laid],
     laid: Laid,
     estimator: Estimator,
@@ -68,25 +65,13 @@ def with_opened_folds(
     laid:
         What is laid out without opening any.
     """
-    barred: frozenset[str] = frozenset()
-    for _ in range(OPENINGS):
-        before = laid.waste(room)
-        openings = _promising(laid, estimator, room, settings) if before.lacking else []
-        for opening in openings[:PLANS]:
-            try:
-                other = plan(barred | opening.barred)
-            except LayoutError:  # its flaps have no room
-                continue
-            after = estimator.waste(other.outlines)
-            if after is None or not is_worth(after, before):
-                continue
-            opened = place(other)
-            if is_worth(opened.waste(room), before):
-                barred, laid = barred | opening.barred, opened
-                break
-        else:
-            break
-    return laid
+
+    def changes(laid: Laid) -> list[Callable[[], Planned]]:
+        now = laid.planned
+        openings = _promising(laid, estimator, room, settings)
+        return [partial(plan, now.divisions, now.barred | opening.barred) for opening in openings]
+
+    return improved(laid, changes, place, estimator, room, most=OPENINGS)
 
 
 def _promising(laid: Laid, estimator: Estimator, room: Room, settings: LayoutSettings) -> list[Opening]:

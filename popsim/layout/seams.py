@@ -37,7 +37,7 @@ def lay_out_divided(
     room: Room,
     settings: LayoutSettings,
     enough: Callable[[], bool] = lambda: False,
-) -> Iterator[tuple[Sequence[Division], Laid]]:
+) -> Iterator[Laid]:
     """Yield what is laid out with the plainest seams, and then with others, if those are worth it.
 
     Estimates are not exact: where sheets are still not well filled, what seems next best is planned in full too.
@@ -58,7 +58,7 @@ def lay_out_divided(
     seams = _Seams(plain, others)
     plain, planned = _first(plan, seams)
     laid = place(planned)
-    yield plain, laid
+    yield laid
     before = laid.waste(room)
     if not plain or suffices(before, planned.shares(room)):
         return
@@ -74,7 +74,7 @@ def lay_out_divided(
             continue
         if is_worth(found.waste(room), before):
             before = found.waste(room)
-            yield chosen, found
+            yield found
 
 
 class _Seams:

@@ -1,6 +1,6 @@
 """What pieces would about be if patches were divided elsewhere: drawn from pieces that were planned in full."""
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -30,10 +30,12 @@ class Sketch:
     ----------
     seam_depth:
         Of the flap along a seam, mm.
+    too:
+        Ids of patches that are whole as planned and shall be divided too.
     """
 
-    def __init__(self, planned: Planned, seam_depth: float) -> None:
-        self._parts, self._seam_depth = planned.parts, seam_depth
+    def __init__(self, planned: Planned, seam_depth: float, too: Collection[str] = ()) -> None:
+        self._parts, self._seam_depth, self._too = planned.parts, seam_depth, too
         self._kept: list[Polygon] = []
         self._hanging: dict[str, list[Hanging]] = {}
         for index, net in enumerate(planned.nets):
@@ -52,7 +54,7 @@ class Sketch:
         ]
 
     def _is_divided(self, name: str) -> bool:
-        return name != self._parts[name].patch.id
+        return name in self._too or name != self._parts[name].patch.id
 
     def _divided(self, polygons: tuple["Polygon", ...], hanging: list[Hanging]) -> Iterator["Polygon"]:
         """The parts of one patch with the flaps of their seams and what hangs on each."""

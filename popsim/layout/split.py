@@ -84,6 +84,22 @@ def cut(
     if fits(polygon, room, flaps.whole, grain=grain):
         return [polygon]
     span = _range(polygon, room, flaps, more, grain)
+    halves = _halves(polygon, span.axis, _place(polygon, span, hints, leaning))
+    within = Flaps(np.where(np.arange(2) == span.axis, flaps.seams, flaps.whole), flaps.seams)
+    return [part for half in halves for part in cut(half, room, within, hints, leaning=leaning, grain=grain)]
+
+
+def halved(polygon: "Polygon", axis: int, hints: Hints, leaning: float) -> list["Polygon"]:
+    """Divide once, across a flat axis, what need not be divided; nothing where it is too short to.
+
+    `leaning` as for :func:`cut`, of all places that leave no strip.
+    """
+    low, high = polygon.bounds[axis] + NO_STRIP, polygon.bounds[2 + axis] - NO_STRIP
+    return _halves(polygon, axis, _place(polygon, Range(axis, low, high), hints, leaning)) if low < high else []
+
+
+def _place(polygon: "Polygon", span: Range, hints: Hints, leaning: float | None) -> float:
+    """Where in its range the seam is best."""
     ideal = span.least + (1.0 if leaning is None else leaning) * (span.most - span.least)
     reach = inf if leaning is None else WINDOW * (span.most - span.least)
     wished = [float(spot[span.axis]) for spot in hints.wished if span.least < spot[span.axis] < span.most]
@@ -93,10 +109,7 @@ def cut(
         bonus = ALIGNED if min((abs(place - spot) for spot in wished), default=1.0) < TOUCHING else 0.0
         return _cost(polygon, span.axis, place, hints.lines) + UNEVEN * abs(place - ideal) - bonus, place
 
-    near = [float(place) for place in places if abs(place - ideal) <= reach + TOUCHING]
-    halves = _halves(polygon, span.axis, min(near, key=cost))
-    within = Flaps(np.where(np.arange(2) == span.axis, flaps.seams, flaps.whole), flaps.seams)
-    return [part for half in halves for part in cut(half, room, within, hints, leaning=leaning, grain=grain)]
+    return min((float(place) for place in places if abs(place - ideal) <= reach + TOUCHING), key=cost)
 
 
 def _range(polygon: "Polygon", room: Room, flaps: Flaps, more: int, grain: bool) -> Range:

@@ -76,6 +76,7 @@ def _layout(planned: Planned) -> dict[str, Any]:
         "sheets": layout.sheet_count,
         "pieces": len(layout.pieces),
         "flaps": len(layout.flaps),
+        "divided": layout.divided,
         "flaps_in_the_way": in_the_way,
     }
 

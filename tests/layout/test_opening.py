@@ -92,7 +92,8 @@ def test_folds_on_sheets_that_are_well_filled_are_tried_where_no_others_help(
     assert laid.waste(room).emptiest == (2, 1)
     asked = []
 
-    def plan(barred: frozenset[str]) -> Planned:
+    def plan(divisions: tuple[()], barred: frozenset[str]) -> Planned:
+        assert not divisions
         asked.append(set(barred))
         raise LayoutError("no room for flaps")
 

@@ -166,12 +166,12 @@ def test_what_seems_next_best_is_planned_too_while_sheets_are_not_well_filled(
 
     def place(made: SimpleNamespace) -> SimpleNamespace:
         short = lacking.get(made.name, 0.3)
-        return SimpleNamespace(waste=lambda room: Waste(3, short, 0.5, -1.0, ()))
+        return SimpleNamespace(name=made.name, waste=lambda room: Waste(3, short, 0.5, -1.0, ()))
 
     monkeypatch.setattr(seams_module, "Sketch", lambda *_: None)
     monkeypatch.setattr(seams_module, "_sketched", lambda *_: [ways["best"], ways["next"], ways["last"]])
     found = lay_out_divided(plan, place, ways["plain"], list, None, ROOM, SETTINGS, lambda: content)
-    assert [next(iter(divisions[0])) for divisions, _ in found] == yielded
+    assert [laid.name for laid in found] == yielded
     assert asked == planned
 
 

@@ -1,0 +1,128 @@
+"""Dividing patches that would go onto a sheet whole, for the sake of the sheets.
+
+A ring or a disc nearly as wide as the sheet shares it with nothing, whatever way it is laid; its halves do. Where
+sheets but the last are not well filled and no fold helps whose opening would, those patches are divided whose
+dividing saves a sheet or fills them, with flaps under their seams. Ground and backdrop carry all: they stay whole.
+"""
+
+from collections.abc import Callable, Iterator, Mapping
+from functools import partial
+from typing import TYPE_CHECKING
+
+from popsim.design import Design
+from popsim.layout.divisions import hints_of
+from popsim.layout.laid import Laid, Plan, Planned, improved, is_worth
+from popsim.layout.nesting import Estimator
+from popsim.layout.settings import LayoutSettings
+from popsim.layout.sketch import Sketch
+from popsim.layout.split import halved
+from popsim.layout.too_large import Room
+from popsim.layout.waste import Waste
+
+if TYPE_CHECKING:
+    from shapely.geometry import Polygon
+
+    from popsim.layout.parts import Part
+
+HALVED = 4
+"""Patches divided at most; each is one more line to glue."""
+
+ROUNDS = 2
+"""Times that dividing is planned in full and looked at anew at most."""
+
+WIDE = 0.15
+"""Share of a sheet that the hull of a patch takes at least that is worth dividing."""
+
+LEANINGS = (0.5, 0.25, 0.75)
+"""Where seams are tried, of the range of their places."""
+
+
+EFFORT = 50_000_000
+"""Cells looked at after which no more are sketched."""
+
+Halves = tuple["Polygon", "Polygon"]
+"""The parts of a patch that is divided once, in its flat coordinates."""
+
+
+def with_halved_patches(
+    plan: Plan,
+    place: Callable[[Planned], Laid],
+    laid: Laid,
+    design: Design,
+    estimator: Estimator,
+    room: Room,
+    settings: LayoutSettings,
+) -> Laid:
+    """Return what is laid out, or with those patches divided that are worth it.
+
+    That is where sheets are saved, or all but the last are well filled in the end.
+
+    Parameters
+    ----------
+    plan, place:
+        Plan all pieces, and find places for them.
+    laid:
+        What is laid out without dividing any that need not be.
+    """
+
+    def changes(laid: Laid) -> list[Callable[[], Planned]]:
+        now = laid.planned
+        found = _promising(laid, design, estimator, room, settings)
+        return [partial(plan, (*now.divisions, halves), now.barred) for halves in found]
+
+    other, before = improved(laid, changes, place, estimator, room, most=ROUNDS), laid.waste(room)
+    after = other.waste(room)
+    return other if after.sheets < before.sheets or not after.lacking else laid
+
+
+def _promising(
+    laid: Laid, design: Design, estimator: Estimator, room: Room, settings: LayoutSettings
+) -> list[Mapping[str, Halves]]:
+    """Patches divided as is estimated to be worth it: fewest sheets first, then best filled, then fewest patches.
+
+    One patch more is divided at a time, that which seems to leave least waste: often only two together save
+    anything.
+    """
+    before, planned, start = laid.waste(room), laid.planned, estimator.effort
+    divided = {name: own for division in planned.divisions for name, own in division.items()}
+    ways = _ways(laid, design, room)
+    found: list[tuple[int, float, int, dict[str, Halves]]] = []
+    chosen: dict[str, Halves] = {}
+    for _ in range(min(HALVED, len(ways))):
+        best: tuple[Waste, dict[str, Halves]] | None = None
+        for name in (one for one in ways if one not in chosen):
+            sketch = Sketch(planned, settings.seam_depth, too={*chosen, name})
+            for halves in ways[name] if estimator.effort - start < EFFORT else ():
+                tried = {**chosen, name: halves}
+                after = estimator.waste(sketch.shapes({**divided, **tried}))
+                if after is not None and (best is None or after < best[0]):
+                    best = after, tried
+        if best is None:
+            break
+        chosen = best[1]
+        if is_worth(best[0], before):
+            found.append((best[0].sheets, best[0].lacking, len(chosen), chosen))
+    return [halves for *_, halves in sorted(found, key=lambda one: one[:3])]
+
+
+def _ways(laid: Laid, design: Design, room: Room) -> dict[str, list[Halves]]:
+    """Wide patches on sheets that are not well filled, and how each could be divided, by patch id."""
+    planned, emptiest = laid.planned, laid.waste(room).emptiest
+    popup = {patch.id for patch in design.popup_patches}
+    found = {}
+    for net, spot in zip(planned.nets, laid.places, strict=True):
+        for name in net.motions if spot.sheet in emptiest else ():
+            part = planned.parts[name]
+            if name in popup and part.polygon.convex_hull.area > WIDE * room[0] * room[1]:
+                found[name] = list(_halvings(part, design))
+    return found
+
+
+def _halvings(part: "Part", design: Design) -> Iterator[Halves]:
+    """The parts of a whole patch divided across either axis, here and there."""
+    hints = hints_of(part, design)
+    for leaning in LEANINGS:
+        for axis in (0, 1):
+            halves = halved(part.polygon, axis, hints, leaning)
+            if len(halves) == 2:
+                yield halves[0], halves[1]

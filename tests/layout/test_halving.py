@@ -1,0 +1,102 @@
+"""Patches that would go onto a sheet whole are divided where that fills the sheets, and only there."""
+
+import numpy as np
+import pytest
+from shapely.geometry import box
+
+from popsim.design import Card, Design, Hinge, Patch
+from popsim.design.rules import check_rules
+from popsim.geometry.flat import move_shape
+from popsim.layout import Layout, LayoutSettings, lay_out
+from popsim.layout.split import NO_STRIP, Hints, halved
+from popsim.layout.waste import WELL_FILLED, taken_of
+
+LONG, DEEP, SIDE, BAR = 180.0, 60.0, 170.0, 14.0
+
+
+def frame(name: str, y: float) -> tuple[Patch, Hinge]:
+    """An upright frame that is glued to the ground; no two of them go onto one A4."""
+    half, inner = SIDE / 2, SIDE / 2 - BAR
+    foot = ((-half, y, 0.0), (half, y, 0.0))
+    hole = ((-inner, y, BAR), (inner, y, BAR), (inner, y, SIDE - BAR), (-inner, y, SIDE - BAR))
+    patch = Patch(id=name, outline=(*foot, (half, y, SIDE), (-half, y, SIDE)), holes=(hole,))
+    return patch, Hinge(id=f"h-{name}", patches=("G", name), axis=foot, kind="glue")
+
+
+def framed_card(count: int) -> Design:
+    """A card with frames one behind the other."""
+    x = LONG / 2
+    pages = [
+        Patch(id=name, outline=((-x, low, 0), (x, low, 0), (x, low + DEEP, 0), (-x, low + DEEP, 0)))
+        for name, low in (("G", 0.0), ("B", -DEEP))
+    ]
+    central = Hinge(
+        id="h0",
+        patches=("G", "B"),
+        axis=((-x, 0.0, 0.0), (x, 0.0, 0.0)),
+        kind="central",
+        crease=(0.0, 0.0, -1.0),
+    )
+    frames = [frame(f"W{k}", 10.0 + 8 * k) for k in range(count)]
+    design = Design(
+        card=Card(x=(-x, x), depth=DEEP),
+        patches=(*pages, *(patch for patch, _ in frames)),
+        hinges=(central, *(hinge for _, hinge in frames)),
+    )
+    check_rules(design)
+    return design
+
+
+def filled(layout: Layout) -> np.ndarray:
+    """How full the sheets are, the emptiest first."""
+    area = np.prod(layout.settings.area(layout.paper))
+    shares = [placement.piece.outline.area / area for placement in layout.placements]
+    return np.sort(taken_of(shares, [placement.sheet for placement in layout.placements]))
+
+
+@pytest.mark.parametrize(("count", "sheets"), [(1, (2, 1)), (2, (2, 2)), (4, (4, 3))])
+def test_frames_are_divided_to_share_sheets(count: int, sheets: tuple[int, int]) -> None:
+    """A sheet is saved, or all but the last are well filled, with a flap under each seam."""
+    design = framed_card(count)
+    whole = lay_out(design, settings=LayoutSettings(split=False))
+    layout = lay_out(design)
+    assert not whole.divided
+    assert filled(whole)[1:].min() < WELL_FILLED
+    assert (whole.sheet_count, layout.sheet_count) == sheets
+    assert layout.sheet_count < whole.sheet_count or filled(layout)[1:].min() >= WELL_FILLED
+    assert layout.divided.keys() <= {patch.id for patch in design.popup_patches}
+    for name in layout.divided:
+        own = [part.polygon for part in layout.parts.values() if part.patch.id == name]
+        assert sum(polygon.area for polygon in own) == pytest.approx(SIDE**2 - (SIDE - 2 * BAR) ** 2)
+    seams = {joint.id for joint in layout.joints if joint.hinge is None}
+    assert len(seams) == sum(layout.divided.values()) - len(layout.divided) > 0
+    assert seams <= {flap.joint.id for flap in layout.flaps}
+
+
+def test_no_more_are_divided_than_help() -> None:
+    assert len(lay_out(framed_card(2)).divided) == 1
+    assert not lay_out(framed_card(1), paper="A3").divided
+
+
+def test_what_fills_no_sheet_stays_whole(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A patch divided without use is a joint for nothing."""
+    monkeypatch.setattr("popsim.layout.halving.HALVED", 0)
+    design = framed_card(3)
+    layout = lay_out(design)
+    assert not layout.divided
+    assert filled(layout)[1:].min() < WELL_FILLED
+
+
+@pytest.mark.parametrize("axis", [0, 1])
+def test_halves_leave_no_strip(axis: int) -> None:
+    shape = box(0, 0, 100, 90)
+    first, second = halved(shape, axis, Hints([], []), 0.0)
+    assert first.area + second.area == pytest.approx(shape.area)
+    assert min(part.bounds[2 + axis] - part.bounds[axis] for part in (first, second)) >= NO_STRIP - 1e-9
+    assert not halved(box(0, 0, 2 * NO_STRIP, 2 * NO_STRIP), axis, Hints([], []), 0.5)
+
+
+def test_pieces_lie_on_their_sheets() -> None:
+    layout = lay_out(framed_card(3))
+    for placement in layout.placements:
+        assert box(0, 0, 210, 297).contains(move_shape(placement.motion, placement.piece.outline))
