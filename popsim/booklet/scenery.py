@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from popsim.booklet.labels import Wish
+from popsim.booklet.shapes import untied
 from popsim.booklet.things import Kind, Sight
 from popsim.geometry.arrays import FloatArray
 from popsim.geometry.flat import GRID, move_shape
@@ -73,7 +74,7 @@ class Scenery:
                 if name not in largest or area.area > largest[name].area:
                     largest[name] = area
         for name, area in largest.items():
-            yield Wish(name, move_shape(motion, area), NAME)
+            yield Wish(name, untied(move_shape(motion, area)), NAME)
 
     def number_wishes(self, motion: FloatArray) -> "Iterator[Wish]":
         """A label for each flap and each place that is glued; in brackets where it is printed so."""
@@ -84,4 +85,4 @@ class Scenery:
             number = str(self.numbers[flap.joint.id])
             behind = sight.thing.kind is Kind.PLACE and flap.face is Face.REVERSE
             seen = sight.seen.area if sight.seen.area.area > 0.3 * sight.seen.whole.area else sight.seen.whole
-            yield Wish(f"({number})" if behind else number, move_shape(motion, seen), NUMBER, badge=True)
+            yield Wish(f"({number})" if behind else number, untied(move_shape(motion, seen)), NUMBER, badge=True)

@@ -8,7 +8,7 @@ import numpy as np
 
 from popsim.booklet.inks import Ink
 from popsim.geometry.arrays import FloatArray
-from popsim.geometry.flat import move
+from popsim.geometry.flat import GRID, move
 from popsim.layout.sheet import Area, Line, Mark
 
 if TYPE_CHECKING:
@@ -40,10 +40,17 @@ def clipped(shapes: Sequence[Shape], window: "BaseGeometry") -> tuple[Shape, ...
     import shapely
 
     shapely.prepare(window)
-    untied = [shapely.make_valid(shape.geometry, method="structure", keep_collapsed=False) for shape in shapes]
-    return tuple(
-        Shape(shape.ink, geometry.intersection(window)) for shape, geometry in zip(shapes, untied, strict=True)
-    )
+    return tuple(Shape(shape.ink, untied(shape.geometry).intersection(window)) for shape in shapes)
+
+
+def untied(geometry: "BaseGeometry") -> "BaseGeometry":
+    """The geometry with rims untied that moving and rounding have tied into knots: overlays fail on those.
+
+    On a grid, for where edges all but coincide, what is mended is else knotted anew.
+    """
+    import shapely
+
+    return shapely.set_precision(shapely.make_valid(geometry, method="structure", keep_collapsed=False), GRID)
 
 
 def drawn(shapes: Iterable[Shape]) -> Iterator[Mark]:
