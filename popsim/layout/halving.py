@@ -10,7 +10,7 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from popsim.design import Design
-from popsim.layout.divisions import hints_of
+from popsim.layout.divisions import Division, hints_of
 from popsim.layout.laid import Laid, Plan, Planned, improved, is_worth
 from popsim.layout.nesting import Estimator
 from popsim.layout.settings import LayoutSettings
@@ -86,23 +86,35 @@ def _promising(
     before, planned, start = laid.waste(room), laid.planned, estimator.effort
     divided = {name: own for division in planned.divisions for name, own in division.items()}
     ways = _ways(laid, design, room)
-    found: list[tuple[int, float, int, dict[str, Halves]]] = []
-    chosen: dict[str, Halves] = {}
+    found: list[tuple[Waste, Mapping[str, Halves]]] = []
+    chosen: Mapping[str, Halves] = {}
     for _ in range(min(HALVED, len(ways))):
-        best: tuple[Waste, dict[str, Halves]] | None = None
-        for name in (one for one in ways if one not in chosen):
-            sketch = Sketch(planned, settings.seam_depth, too={*chosen, name})
-            for halves in ways[name] if estimator.effort - start < EFFORT else ():
-                tried = {**chosen, name: halves}
-                after = estimator.waste(sketch.shapes({**divided, **tried}))
-                if after is not None and (best is None or after < best[0]):
-                    best = after, tried
-        if best is None:
+        tried = [
+            (after, further)
+            for further in _further(chosen, ways)
+            if estimator.effort - start < EFFORT
+            and (after := estimator.waste(_sketched(further, divided, planned, settings))) is not None
+        ]
+        if not tried:
             break
-        chosen = best[1]
-        if is_worth(best[0], before):
-            found.append((best[0].sheets, best[0].lacking, len(chosen), chosen))
-    return [halves for *_, halves in sorted(found, key=lambda one: one[:3])]
+        chosen = min(tried, key=lambda one: one[0])[1]
+        found += [(after, further) for after, further in tried if is_worth(after, before)]
+    ranked = sorted(found, key=lambda one: (one[0].sheets, one[0].lacking, len(one[1])))
+    return [halves for _, halves in ranked]
+
+
+def _further(chosen: Mapping[str, Halves], ways: Mapping[str, list[Halves]]) -> Iterator[Mapping[str, Halves]]:
+    """What is divided, and one patch more."""
+    for name, own in ways.items():
+        if name not in chosen:
+            yield from ({**chosen, name: halves} for halves in own)
+
+
+def _sketched(
+    halves: Mapping[str, Halves], divided: Division, planned: Planned, settings: LayoutSettings
+) -> "list[Polygon]":
+    """Shapes of pieces with some patches halved beside those that were divided already."""
+    return Sketch(planned, settings.seam_depth, too=halves.keys()).shapes({**divided, **halves})
 
 
 def _ways(laid: Laid, design: Design, room: Room) -> dict[str, list[Halves]]:

@@ -117,19 +117,33 @@ def improved(
         How often something is changed at most.
     """
     for _ in range(most):
-        before = laid.waste(room)
-        for change in changes(laid)[:PLANS] if before.lacking else ():
-            try:
-                planned = change()
-            except LayoutError:  # its flaps have no room
-                continue
-            after = estimator.waste(planned.outlines)
-            if after is None or not is_worth(after, before):
-                continue
-            other = place(planned)
-            if is_worth(other.waste(room), before):
-                laid = other
-                break
-        else:
+        better = _best_change(laid, changes, place, estimator, room) if laid.waste(room).lacking else None
+        if better is None:
             break
+        laid = better
     return laid
+
+
+def _best_change(
+    laid: Laid,
+    changes: Callable[[Laid], Sequence[Callable[[], Planned]]],
+    place: Callable[[Planned], Laid],
+    estimator: Estimator,
+    room: Room,
+) -> Laid | None:
+    """The first change that is worth it and leaves all sheets well filled, else the best that is worth it."""
+    before, best = laid.waste(room), None
+    for change in changes(laid)[:PLANS]:
+        try:
+            planned = change()
+        except LayoutError:  # its flaps have no room
+            continue
+        after = estimator.waste(planned.outlines)
+        if after is None or not is_worth(after, before):
+            continue
+        other = place(planned)
+        if is_worth(other.waste(room), before) and (best is None or other.waste(room) < best.waste(room)):
+            best = other
+        if best is not None and not best.waste(room).lacking:
+            break
+    return best

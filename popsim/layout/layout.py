@@ -25,6 +25,9 @@ from popsim.layout.settings import LayoutSettings
 from popsim.layout.thickness import cut_back
 from popsim.layout.too_large import Room, fits, too_large
 
+PATIENCE = (3, 40)
+"""Times as many orders are tried where sheets are not well filled, before patches are divided and after."""
+
 ROUNDING = 1e-9
 """mm; what exceeds a sheet by less does not."""
 
@@ -121,9 +124,9 @@ def lay_out(
     def plan(divisions: Sequence[Division], barred: frozenset[str] = frozenset()) -> Planned:
         return _planned(design, tuple(divisions), room, settings, in_the_way, barred, recurring)
 
-    def place(planned: Planned, *, patient: bool = False) -> Laid:
+    def place(planned: Planned, *, patience: int = 1) -> Laid:
         names = [piece.name for piece in planned.pieces]
-        places = nest(planned.outlines, names, room, settings.apart, settings.grain, patient=patient)
+        places = nest(planned.outlines, names, room, settings.apart, settings.grain, patience=patience)
         return Laid(planned, tuple(places))
 
     plain = plain_divisions(design, room, settings)
@@ -144,10 +147,16 @@ def lay_out(
         if suffices(best.waste(room), best.planned.shares(room)):
             break
     assert best is not None  # at least the plainest division is laid out, or refused
-    if best.waste(room).lacking:
-        best = min(best, place(best.planned, patient=True), key=lambda laid: laid.waste(room))
+
+    def placed_patiently(laid: Laid, patience: int) -> Laid:
+        if not laid.waste(room).lacking:
+            return laid
+        return min(laid, place(laid.planned, patience=patience), key=lambda laid: laid.waste(room))
+
+    best = placed_patiently(best, PATIENCE[0])
     if settings.split and best.waste(room).lacking:
-        best = with_halved_patches(plan, place, best, design, estimator, room, settings)
+        halved = with_halved_patches(plan, place, best, design, estimator, room, settings)
+        best = placed_patiently(halved, PATIENCE[1])
     return _finished(best, paper, settings)
 
 

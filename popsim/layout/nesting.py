@@ -48,9 +48,6 @@ class Pass(NamedTuple):
 
 COARSE, FINE = Pass(2.0, 60, 100_000_000), Pass(1.0, 20, 100_000_000)
 
-MORE = 3
-"""Times as long orders are changed by who is patient."""
-
 SQUARE = 1e-3
 """Radians; a smallest rectangle that is turned by less is upright."""
 
@@ -68,7 +65,7 @@ def nest(
     gap: float,
     grain: bool,
     *,
-    patient: bool = False,
+    patience: int = 1,
 ) -> list[Place]:
     """Place all shapes without overlap on as few sheets as the orders tried need.
 
@@ -82,8 +79,8 @@ def nest(
         Least distance between two shapes, mm.
     grain:
         Turn by half turns only.
-    patient:
-        Try more orders.
+    patience:
+        How many times as many orders are tried as usual.
 
     Raises
     ------
@@ -95,7 +92,7 @@ def nest(
         if not own:
             raise LayoutError(f"piece {names[index]} does not go onto the sheet at any angle")
     random = Random(0)
-    limits = [each.longer(MORE) if patient else each for each in (COARSE, FINE)]
+    limits = [each.longer(patience) for each in (COARSE, FINE)]
     coarse, fine = (_filler(shapes, angles, room, gap, each.cell) for each in limits)
     tried = _climbed(coarse, first_orders(dict(enumerate(shapes)), random), limits[0], random)
     kept = sorted(tried, key=lambda order: (tried[order].waste, order))[:BEST]

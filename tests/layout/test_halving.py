@@ -1,5 +1,8 @@
 """Patches that would go onto a sheet whole are divided where that fills the sheets, and only there."""
 
+from functools import partial
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 from shapely.geometry import box
@@ -8,8 +11,9 @@ from popsim.design import Card, Design, Hinge, Patch
 from popsim.design.rules import check_rules
 from popsim.geometry.flat import move_shape
 from popsim.layout import Layout, LayoutSettings, lay_out
+from popsim.layout.laid import improved
 from popsim.layout.split import NO_STRIP, Hints, halved
-from popsim.layout.waste import WELL_FILLED, taken_of
+from popsim.layout.waste import WELL_FILLED, Waste, taken_of
 
 LONG, DEEP, SIDE, BAR = 180.0, 60.0, 170.0, 14.0
 
@@ -100,3 +104,37 @@ def test_pieces_lie_on_their_sheets() -> None:
     layout = lay_out(framed_card(3))
     for placement in layout.placements:
         assert box(0, 0, 210, 297).contains(move_shape(placement.motion, placement.piece.outline))
+
+
+@pytest.mark.parametrize(
+    ("lacking", "placed", "taken"),
+    [
+        ([0.1, 0.0, 0.0], ["a", "b"], "b"),
+        ([0.1, 0.05, 0.2], ["a", "b", "c"], "b"),
+        ([0.4, 0.4, 0.4], ["a", "b", "c"], "before"),
+    ],
+)
+def test_of_changes_the_first_that_leaves_nothing_lacking_is_taken_else_the_best(
+    lacking: list[float], placed: list[str], taken: str
+) -> None:
+    def laid(name: str, short: float) -> SimpleNamespace:
+        return SimpleNamespace(name=name, waste=lambda room: Waste(3, short, 0.5, -1.0, ()))
+
+    short, asked = dict(zip("abc", lacking, strict=True)), []
+
+    def place(name: str) -> SimpleNamespace:
+        asked.append(name)
+        return laid(name, short[name])
+
+    changes = [partial(SimpleNamespace, outlines=name) for name in "abc"]
+    estimator = SimpleNamespace(waste=lambda name: Waste(3, 0.0, 0.5, -1.0, ()))
+    found = improved(
+        laid("before", 0.4),
+        lambda _: changes,
+        lambda made: place(made.outlines),
+        estimator,
+        (200.0, 300.0),
+        most=1,
+    )
+    assert asked == placed
+    assert found.name == taken
