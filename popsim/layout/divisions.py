@@ -91,8 +91,8 @@ def parts_of(design: Design, divisions: Iterable[Division], grain: int | None = 
 
 
 def hints_of(part: Part, design: Design, marks: Iterable[FloatArray] = ()) -> Hints:
-    """What seams of a whole patch heed: its hinges, and corners of parts near its plane, each (3,)."""
-    lines = [part.flat(hinge.points) for hinge in design.hinges_by_patch[part.id]]
+    """What seams of a part heed: hinges of its patch, and corners of parts near its plane, each (3,)."""
+    lines = [part.flat(hinge.points) for hinge in design.hinges_by_patch[part.patch.id]]
     return Hints(lines, [part.flat(mark) for mark in marks if abs(float(part.plane.distance(mark))) < TOUCHING])
 
 

@@ -1,7 +1,7 @@
-"""Dividing patches that would go onto a sheet whole, for the sake of the sheets.
+"""Dividing what would go onto a sheet as it is, for the sake of the sheets.
 
 A ring or a disc nearly as wide as the sheet shares it with nothing, whatever way it is laid; its halves do. Where
-sheets but the last are not well filled and no fold helps whose opening would, those patches are divided whose
+sheets but the last are not well filled and no fold helps whose opening would, those parts are divided whose
 dividing saves a sheet or fills them, with flaps under their seams. Ground and backdrop carry all: they stay whole.
 """
 
@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterator, Mapping
 from functools import partial
 from typing import TYPE_CHECKING
 
-from popsim.design import Design
+from popsim.design import BACKDROP_ID, GROUND_ID, Design
 from popsim.layout.divisions import Division, hints_of
 from popsim.layout.laid import Laid, Plan, Planned, improved, is_worth
 from popsim.layout.nesting import Estimator
@@ -25,26 +25,25 @@ if TYPE_CHECKING:
     from popsim.layout.parts import Part
 
 HALVED = 4
-"""Patches divided at most; each is one more line to glue."""
+"""Parts divided at a time at most; each is one more line to glue."""
 
 ROUNDS = 2
 """Times that dividing is planned in full and looked at anew at most."""
 
 WIDE = 0.15
-"""Share of a sheet that the hull of a patch takes at least that is worth dividing."""
+"""Share of a sheet that the hull of a part takes at least that is worth dividing."""
 
 LEANINGS = (0.5, 0.25, 0.75)
 """Where seams are tried, of the range of their places."""
-
 
 EFFORT = 50_000_000
 """Cells looked at after which no more are sketched."""
 
 Halves = tuple["Polygon", "Polygon"]
-"""The parts of a patch that is divided once, in its flat coordinates."""
+"""What a part is divided into, in the flat coordinates of its patch."""
 
 
-def with_halved_patches(
+def with_halved_parts(
     plan: Plan,
     place: Callable[[Planned], Laid],
     laid: Laid,
@@ -53,7 +52,7 @@ def with_halved_patches(
     room: Room,
     settings: LayoutSettings,
 ) -> Laid:
-    """Return what is laid out, or with those patches divided that are worth it.
+    """Return what is laid out, or with those parts divided that are worth it.
 
     That is where sheets are saved, or all but the last are well filled in the end.
 
@@ -66,9 +65,8 @@ def with_halved_patches(
     """
 
     def changes(laid: Laid) -> list[Callable[[], Planned]]:
-        now = laid.planned
         found = _promising(laid, design, estimator, room, settings)
-        return [partial(plan, (*now.divisions, halves), now.barred) for halves in found]
+        return [partial(plan, (_division(laid.planned, halves),), laid.planned.barred) for halves in found]
 
     other, before = improved(laid, changes, place, estimator, room, most=ROUNDS), laid.waste(room)
     after = other.waste(room)
@@ -78,23 +76,24 @@ def with_halved_patches(
 def _promising(
     laid: Laid, design: Design, estimator: Estimator, room: Room, settings: LayoutSettings
 ) -> list[Mapping[str, Halves]]:
-    """Patches divided as is estimated to be worth it: fewest sheets first, then best filled, then fewest patches.
+    """Parts divided as is estimated to be worth it: fewest sheets first, then best filled, then fewest seams.
 
-    One patch more is divided at a time, that which seems to leave least waste: often only two together save
+    One part more is divided at a time, that which seems to leave least waste: often only two together save
     anything.
     """
     before, planned, start = laid.waste(room), laid.planned, estimator.effort
-    divided = {name: own for division in planned.divisions for name, own in division.items()}
     ways = _ways(laid, design, room)
     found: list[tuple[Waste, Mapping[str, Halves]]] = []
     chosen: Mapping[str, Halves] = {}
     for _ in range(min(HALVED, len(ways))):
-        tried = [
-            (after, further)
-            for further in _further(chosen, ways)
-            if estimator.effort - start < EFFORT
-            and (after := estimator.waste(_sketched(further, divided, planned, settings))) is not None
-        ]
+        tried = []
+        for further in _further(chosen, ways):
+            if estimator.effort - start > EFFORT:
+                break
+            sketch = Sketch(planned, settings.seam_depth, too=further.keys())
+            after = estimator.waste(sketch.shapes(_division(planned, further)))
+            if after is not None:
+                tried.append((after, further))
         if not tried:
             break
         chosen = min(tried, key=lambda one: one[0])[1]
@@ -104,34 +103,35 @@ def _promising(
 
 
 def _further(chosen: Mapping[str, Halves], ways: Mapping[str, list[Halves]]) -> Iterator[Mapping[str, Halves]]:
-    """What is divided, and one patch more."""
+    """What is divided, and one part more."""
     for name, own in ways.items():
         if name not in chosen:
             yield from ({**chosen, name: halves} for halves in own)
 
 
-def _sketched(
-    halves: Mapping[str, Halves], divided: Division, planned: Planned, settings: LayoutSettings
-) -> "list[Polygon]":
-    """Shapes of pieces with some patches halved beside those that were divided already."""
-    return Sketch(planned, settings.seam_depth, too=halves.keys()).shapes({**divided, **halves})
+def _division(planned: Planned, halves: Mapping[str, Halves]) -> Division:
+    """How all patches are divided with some parts halved, by part id; what stays whole is not in it."""
+    found: dict[str, list[Polygon]] = {}
+    for name, part in planned.parts.items():
+        found.setdefault(part.patch.id, []).extend(halves.get(name, (part.polygon,)))
+    return {patch: tuple(own) for patch, own in found.items() if len(own) > 1}
 
 
 def _ways(laid: Laid, design: Design, room: Room) -> dict[str, list[Halves]]:
-    """Wide patches on sheets that are not well filled, and how each could be divided, by patch id."""
+    """Wide parts on sheets that are not well filled, and how each could be divided, by part id."""
     planned, emptiest = laid.planned, laid.waste(room).emptiest
-    popup = {patch.id for patch in design.popup_patches}
     found = {}
     for net, spot in zip(planned.nets, laid.places, strict=True):
         for name in net.motions if spot.sheet in emptiest else ():
             part = planned.parts[name]
-            if name in popup and part.polygon.convex_hull.area > WIDE * room[0] * room[1]:
+            bears = part.patch.id in (GROUND_ID, BACKDROP_ID)
+            if not bears and part.polygon.convex_hull.area > WIDE * room[0] * room[1]:
                 found[name] = list(_halvings(part, design))
     return found
 
 
 def _halvings(part: "Part", design: Design) -> Iterator[Halves]:
-    """The parts of a whole patch divided across either axis, here and there."""
+    """A part divided across either axis, here and there."""
     hints = hints_of(part, design)
     for leaning in LEANINGS:
         for axis in (0, 1):

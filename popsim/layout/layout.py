@@ -10,7 +10,7 @@ from popsim.geometry.flat import flat_motion, move_shape
 from popsim.layout.divisions import Division, other_divisions, parts_of, plain_divisions
 from popsim.layout.flap import Flap
 from popsim.layout.flaps import InTheWay
-from popsim.layout.halving import with_halved_patches
+from popsim.layout.halving import with_halved_parts
 from popsim.layout.joints import Joint, find_joints
 from popsim.layout.laid import Laid, Planned, is_worth
 from popsim.layout.nesting import Estimator, nest, suffices
@@ -155,7 +155,7 @@ def lay_out(
 
     best = placed_patiently(best, PATIENCE[0])
     if settings.split and best.waste(room).lacking:
-        halved = with_halved_patches(plan, place, best, design, estimator, room, settings)
+        halved = with_halved_parts(plan, place, best, design, estimator, room, settings)
         best = placed_patiently(halved, PATIENCE[1])
     return _finished(best, paper, settings)
 

@@ -42,11 +42,14 @@ class Pass(NamedTuple):
     effort: int
 
     def longer(self, times: int) -> "Pass":
-        """The same for this many times as long."""
-        return Pass(self.cell, times * self.changes, times * self.effort)
+        """The same with this many times as many orders, as far as `MORE` times the effort goes."""
+        return Pass(self.cell, times * self.changes, min(times, MORE) * self.effort)
 
 
 COARSE, FINE = Pass(2.0, 60, 100_000_000), Pass(1.0, 20, 100_000_000)
+
+MORE = 3
+"""Times as much effort who is patient makes at most."""
 
 SQUARE = 1e-3
 """Radians; a smallest rectangle that is turned by less is upright."""
