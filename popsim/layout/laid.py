@@ -139,7 +139,7 @@ def _best_change(
         except LayoutError:  # its flaps have no room
             continue
         after = estimator.waste(planned.outlines)
-        if after is None or not is_worth(after, before):
+        if after is None or not after < before:
             continue
         other = place(planned)
         if is_worth(other.waste(room), before) and (best is None or other.waste(room) < best.waste(room)):
