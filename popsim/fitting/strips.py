@@ -49,9 +49,8 @@ def _hold(shown: BoolArray, inside: BoolArray, span: tuple[float, float], at: fl
     if np.count_nonzero(deep == 0) >= needed:
         return
     nearest = np.lexsort((_aside(deep), deep))[:needed]
-    depth = deep[nearest]
-    nearest, depth = nearest[depth < cells.shape[1]], depth[depth < cells.shape[1]]
-    cells[nearest] |= np.arange(cells.shape[1]) < depth[:, None]
+    face = inside[first:last, border:] if above else inside[first:last, border - 1 :: -1]
+    cells[nearest] |= face[nearest] & (np.arange(cells.shape[1]) < deep[nearest][:, None])
 
 
 def _depths(cells: BoolArray, seam: int) -> IntArray:

@@ -71,11 +71,16 @@ def test_a_strip_reaches_for_a_hinge_where_the_model_does_not():
     assert shows("L", [(-40, 30, 15)], *TABLE, block((0, 20, 0), (30, 30, 30))) == [False]
 
 
-def test_strips_are_those_that_patches_have():
-    scene = RayScene(surface(*TABLE))
+SLAB = [block((-50, -30, 36), (50, 30, 40)), block((-1, -1, 0), (1, 1, 36))]
+
+
+@pytest.mark.parametrize("parts", [TABLE, SLAB])
+def test_strips_are_those_that_patches_have(parts):
+    """Also where a face shows but the edge of a slab along an upright hinge: a strip goes all across it."""
+    scene = RayScene(surface(*parts))
     cuts = cut([BOX], scene, {"M1": BOUNDS}, PatchSettings())
     for role in ("L", "R", "F_L", "B_R", "T_G"):
-        mask = stencil_of(role, *TABLE).mask
+        mask = stencil_of(role, *parts).mask
         assert mask.sum() == pytest.approx(cuts.outlines[f"M1.{role}"].area, rel=0.03)
 
 
