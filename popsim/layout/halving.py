@@ -11,7 +11,8 @@ from typing import TYPE_CHECKING
 
 from popsim.design import BACKDROP_ID, GROUND_ID, Design
 from popsim.layout.divisions import Division, hints_of
-from popsim.layout.laid import Laid, Plan, Planned, improved, is_worth
+from popsim.layout.improving import improved
+from popsim.layout.laid import Laid, Plan, Planned, is_worth
 from popsim.layout.nesting import Estimator
 from popsim.layout.settings import LayoutSettings
 from popsim.layout.sketch import Sketch
@@ -68,9 +69,13 @@ def with_halved_parts(
         found = _promising(laid, design, estimator, room, settings)
         return [partial(plan, (_division(laid.planned, halves),), laid.planned.barred) for halves in found]
 
-    other, before = improved(laid, changes, place, estimator, room, most=ROUNDS), laid.waste(room)
-    after = other.waste(room)
-    return other if after.sheets < before.sheets or not after.lacking else laid
+    kept = laid
+    for _ in range(ROUNDS):
+        laid = improved(laid, changes, place, estimator, room, most=1)
+        after = laid.waste(room)
+        if after.sheets < kept.waste(room).sheets or not after.lacking:
+            kept = laid
+    return kept
 
 
 def _promising(

@@ -6,11 +6,9 @@ from typing import TYPE_CHECKING
 
 from popsim.geometry.flat import move_shape
 from popsim.layout.divisions import Division
-from popsim.layout.errors import LayoutError
 from popsim.layout.filling import Place
 from popsim.layout.flap import Flap
 from popsim.layout.joints import Joint
-from popsim.layout.nesting import Estimator
 from popsim.layout.nets import Net
 from popsim.layout.parts import Part
 from popsim.layout.pieces import Piece
@@ -26,9 +24,6 @@ WELD = 0.01
 
 GAIN = 0.05
 """Share of a sheet that a change must fill, unless it saves one or fills all."""
-
-PLANS = 4
-"""Changes planned in full at most before one is found that is worth it: estimates are not exact."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -93,57 +88,3 @@ def is_worth(after: Waste, before: Waste) -> bool:
     return after.sheets < before.sheets or (
         after.sheets == before.sheets and after.lacking < max(before.lacking - GAIN, 1e-9)
     )
-
-
-def improved(
-    laid: Laid,
-    changes: Callable[[Laid], Sequence[Callable[[], Planned]]],
-    place: Callable[[Planned], Laid],
-    estimator: Estimator,
-    room: Room,
-    *,
-    most: int,
-) -> Laid:
-    """What is laid out, changed while sheets but the last are not well filled and a change is worth it.
-
-    Parameters
-    ----------
-    changes:
-        Finds what could be changed, the most promising first; each plans all anew, and may raise LayoutError where
-        that leaves no room.
-    place:
-        Finds places for all pieces.
-    most:
-        How often something is changed at most.
-    """
-    for _ in range(most):
-        better = _best_change(laid, changes, place, estimator, room) if laid.waste(room).lacking else None
-        if better is None:
-            break
-        laid = better
-    return laid
-
-
-def _best_change(
-    laid: Laid,
-    changes: Callable[[Laid], Sequence[Callable[[], Planned]]],
-    place: Callable[[Planned], Laid],
-    estimator: Estimator,
-    room: Room,
-) -> Laid | None:
-    """The first change that is worth it and leaves all sheets well filled, else the best that is worth it."""
-    before, best = laid.waste(room), None
-    for change in changes(laid)[:PLANS]:
-        try:
-            planned = change()
-        except LayoutError:  # its flaps have no room
-            continue
-        after = estimator.waste(planned.outlines)
-        if after is None or not after < before:
-            continue
-        other = place(planned)
-        if is_worth(other.waste(room), before) and (best is None or other.waste(room) < best.waste(room)):
-            best = other
-        if best is not None and not best.waste(room).lacking:
-            break
-    return best

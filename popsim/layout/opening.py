@@ -8,8 +8,9 @@ from collections.abc import Callable, Iterator
 from functools import partial
 from typing import TYPE_CHECKING, NamedTuple
 
+from popsim.layout.improving import improved
 from popsim.layout.joints import Joint
-from popsim.layout.laid import Laid, Plan, Planned, improved, is_worth
+from popsim.layout.laid import Laid, Plan, Planned, is_worth
 from popsim.layout.nesting import Estimator
 from popsim.layout.settings import LayoutSettings
 from popsim.layout.too_large import Room

@@ -11,7 +11,7 @@ from popsim.design import Card, Design, Hinge, Patch
 from popsim.design.rules import check_rules
 from popsim.geometry.flat import move_shape
 from popsim.layout import Layout, LayoutSettings, lay_out
-from popsim.layout.laid import improved
+from popsim.layout.improving import improved
 from popsim.layout.split import NO_STRIP, Hints, halved
 from popsim.layout.waste import WELL_FILLED, Waste, taken_of
 
