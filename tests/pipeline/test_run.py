@@ -53,9 +53,8 @@ def test_each_page_fits_a_sheet(truck: DesignRun) -> None:
     assert (np.array(page) <= sorted(LayoutSettings().area(find_paper("A4")))).all()
 
 
-def test_tall_model_is_made_smaller_and_says_so(tmp_path: Path) -> None:
-    trimesh.creation.box(extents=(30, 20, 100)).export(tmp_path / "tower.stl")
-    run = run_design(tmp_path / "tower.stl", RunSettings(size=400.0, patches=QUICK))
+def test_tall_model_is_made_smaller_and_says_so(models: Path) -> None:
+    run = run_design(models / "tower" / "tower.ply", RunSettings(size=400.0, patches=QUICK))
     assert any("scaled to" in note for note in run.notes)
     assert run.verdict.passed
 
