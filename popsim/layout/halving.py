@@ -10,15 +10,14 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from popsim.design import BACKDROP_ID, GROUND_ID, Design
-from popsim.layout.divisions import Division, hints_of
-from popsim.layout.improving import improved
+from popsim.layout.divisions import Division, hints_of, parts_of
+from popsim.layout.improving import Change, improvements
 from popsim.layout.laid import Laid, Plan, Planned, is_worth
 from popsim.layout.nesting import Estimator
 from popsim.layout.settings import LayoutSettings
 from popsim.layout.sketch import Sketch
 from popsim.layout.split import halved
 from popsim.layout.too_large import Room
-from popsim.layout.waste import Waste
 
 if TYPE_CHECKING:
     from shapely.geometry import Polygon
@@ -65,46 +64,47 @@ def with_halved_parts(
         What is laid out without dividing any that need not be.
     """
 
-    def changes(laid: Laid) -> list[Callable[[], Planned]]:
+    def changes(laid: Laid) -> list[Change]:
         found = _promising(laid, design, estimator, room, settings)
-        return [partial(plan, (_division(laid.planned, halves),), laid.planned.barred) for halves in found]
+        return [partial(plan, (division,), laid.planned.barred) for division in found]
 
     kept = laid
-    for _ in range(ROUNDS):
-        laid = improved(laid, changes, place, estimator, room, most=1)
-        after = laid.waste(room)
+    for better in improvements(laid, changes, place, estimator, room, most=ROUNDS):
+        after = better.waste(room)
         if after.sheets < kept.waste(room).sheets or not after.lacking:
-            kept = laid
+            kept = better
     return kept
 
 
 def _promising(
     laid: Laid, design: Design, estimator: Estimator, room: Room, settings: LayoutSettings
-) -> list[Mapping[str, Halves]]:
-    """Parts divided as is estimated to be worth it: fewest sheets first, then best filled, then fewest seams.
+) -> list[Division]:
+    """Divisions that are estimated to be worth it: fewest sheets first, then best filled, then fewest seams.
 
     One part more is divided at a time, that which seems to leave least waste: often only two together save
     anything.
     """
     before, planned, start = laid.waste(room), laid.planned, estimator.effort
-    ways = _ways(laid, design, room)
-    found: list[tuple[Waste, Mapping[str, Halves]]] = []
+    parts = {part.id: part for part in parts_of(design, planned.divisions, settings.grain_axis(room))}
+    ways = {part.id: list(_halvings(part, design)) for part in _wide(laid, parts, room)}
+    found: list[tuple[int, float, int, Division]] = []
     chosen: Mapping[str, Halves] = {}
-    for _ in range(min(HALVED, len(ways))):
+    for count in range(1, min(HALVED, len(ways)) + 1):
         tried = []
         for further in _further(chosen, ways):
             if estimator.effort - start > EFFORT:
                 break
+            division = _division(parts, further)
             sketch = Sketch(planned, settings.seam_depth, too=further.keys())
-            after = estimator.waste(sketch.shapes(_division(planned, further)))
+            after = estimator.waste(sketch.shapes(division))
             if after is not None:
                 tried.append((after, further))
+                if is_worth(after, before):
+                    found.append((after.sheets, after.lacking, count, division))
         if not tried:
             break
         chosen = min(tried, key=lambda one: one[0])[1]
-        found += [(after, further) for after, further in tried if is_worth(after, before)]
-    ranked = sorted(found, key=lambda one: (one[0].sheets, one[0].lacking, len(one[1])))
-    return [halves for _, halves in ranked]
+    return [division for *_, division in sorted(found, key=lambda one: one[:3])]
 
 
 def _further(chosen: Mapping[str, Halves], ways: Mapping[str, list[Halves]]) -> Iterator[Mapping[str, Halves]]:
@@ -114,25 +114,22 @@ def _further(chosen: Mapping[str, Halves], ways: Mapping[str, list[Halves]]) -> 
             yield from ({**chosen, name: halves} for halves in own)
 
 
-def _division(planned: Planned, halves: Mapping[str, Halves]) -> Division:
+def _division(parts: Mapping[str, "Part"], halves: Mapping[str, Halves]) -> Division:
     """How all patches are divided with some parts halved, by part id; what stays whole is not in it."""
     found: dict[str, list[Polygon]] = {}
-    for name, part in planned.parts.items():
+    for name, part in parts.items():
         found.setdefault(part.patch.id, []).extend(halves.get(name, (part.polygon,)))
     return {patch: tuple(own) for patch, own in found.items() if len(own) > 1}
 
 
-def _ways(laid: Laid, design: Design, room: Room) -> dict[str, list[Halves]]:
-    """Wide parts on sheets that are not well filled, and how each could be divided, by part id."""
-    planned, emptiest = laid.planned, laid.waste(room).emptiest
-    found = {}
-    for net, spot in zip(planned.nets, laid.places, strict=True):
-        for name in net.motions if spot.sheet in emptiest else ():
-            part = planned.parts[name]
+def _wide(laid: Laid, parts: Mapping[str, "Part"], room: Room) -> Iterator["Part"]:
+    """Those parts on sheets that are not well filled that are wide, but for ground and backdrop."""
+    emptiest = laid.waste(room).emptiest
+    for net, spot in zip(laid.planned.nets, laid.places, strict=True):
+        for part in (parts[name] for name in net.motions if spot.sheet in emptiest):
             bears = part.patch.id in (GROUND_ID, BACKDROP_ID)
             if not bears and part.polygon.convex_hull.area > WIDE * room[0] * room[1]:
-                found[name] = list(_halvings(part, design))
-    return found
+                yield part
 
 
 def _halvings(part: "Part", design: Design) -> Iterator[Halves]:

@@ -3,6 +3,7 @@
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from typing import Protocol
 
 from popsim.design import Design
 from popsim.geometry.arrays import FloatArray
@@ -12,7 +13,7 @@ from popsim.layout.flap import Flap
 from popsim.layout.flaps import InTheWay
 from popsim.layout.halving import with_halved_parts
 from popsim.layout.joints import Joint, find_joints
-from popsim.layout.laid import Laid, Planned, is_worth
+from popsim.layout.laid import Laid, Plan, Planned, is_worth
 from popsim.layout.nesting import Estimator, nest, suffices
 from popsim.layout.opening import with_opened_folds
 from popsim.layout.paper import Paper, find_paper
@@ -30,6 +31,12 @@ PATIENCE = (3, 40)
 
 ROUNDING = 1e-9
 """mm; what exceeds a sheet by less does not."""
+
+
+class Placer(Protocol):
+    """Finds places for all pieces."""
+
+    def __call__(self, planned: Planned, patience: int = 1) -> Laid: ...
 
 
 @dataclass(frozen=True, eq=False)
@@ -121,43 +128,53 @@ def lay_out(
     paper = paper if isinstance(paper, Paper) else find_paper(paper)
     room, recurring = settings.area(paper), Recurring()
 
-    def plan(divisions: Sequence[Division], barred: frozenset[str] = frozenset()) -> Planned:
+    def plan(divisions: Sequence[Division], barred: frozenset[str]) -> Planned:
         return _planned(design, tuple(divisions), room, settings, in_the_way, barred, recurring)
 
-    def place(planned: Planned, *, patience: int = 1) -> Laid:
+    def place(planned: Planned, patience: int = 1) -> Laid:
         names = [piece.name for piece in planned.pieces]
         places = nest(planned.outlines, names, room, settings.apart, settings.grain, patience=patience)
         return Laid(planned, tuple(places))
 
+    estimator = Estimator(room, settings.apart, settings.grain)
+    best = _placed_patiently(_undivided(design, plan, place, estimator, room, settings), place, room, PATIENCE[0])
+    if settings.split and best.waste(room).lacking:
+        halved = with_halved_parts(plan, place, best, design, estimator, room, settings)
+        best = _placed_patiently(halved, place, room, PATIENCE[1])
+    return _finished(best, paper, settings)
+
+
+def _undivided(
+    design: Design, plan: Plan, place: Placer, estimator: Estimator, room: Room, settings: LayoutSettings
+) -> Laid:
+    """The best that was found where only patches are divided that exceed the sheet."""
     plain = plain_divisions(design, room, settings)
 
     def others() -> list[tuple[Division, ...]]:
         return [other_divisions(one, plain[:k], design, room, settings) for k, one in enumerate(plain)]
 
-    estimator = Estimator(room, settings.apart, settings.grain)
     best: Laid | None = None
 
     def enough() -> bool:
         return best is not None and not best.waste(room).lacking
 
-    for laid in lay_out_divided(plan, place, plain, others, estimator, room, settings, enough):
+    for laid in lay_out_divided(
+        lambda divided: plan(divided, frozenset()), place, plain, others, estimator, room, settings, enough
+    ):
         opened = with_opened_folds(plan, place, laid, estimator, room, settings)
         if best is None or is_worth(opened.waste(room), best.waste(room)):
             best = opened
         if suffices(best.waste(room), best.planned.shares(room)):
             break
     assert best is not None  # at least the plainest division is laid out, or refused
+    return best
 
-    def placed_patiently(laid: Laid, patience: int) -> Laid:
-        if not laid.waste(room).lacking:
-            return laid
-        return min(laid, place(laid.planned, patience=patience), key=lambda laid: laid.waste(room))
 
-    best = placed_patiently(best, PATIENCE[0])
-    if settings.split and best.waste(room).lacking:
-        halved = with_halved_parts(plan, place, best, design, estimator, room, settings)
-        best = placed_patiently(halved, PATIENCE[1])
-    return _finished(best, paper, settings)
+def _placed_patiently(laid: Laid, place: Placer, room: Room, patience: int) -> Laid:
+    """Placed anew with more orders tried, where sheets are not well filled."""
+    if not laid.waste(room).lacking:
+        return laid
+    return min(laid, place(laid.planned, patience), key=lambda laid: laid.waste(room))
 
 
 def _finished(laid: Laid, paper: Paper, settings: LayoutSettings) -> Layout:

@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterator
 from functools import partial
 from typing import TYPE_CHECKING, NamedTuple
 
-from popsim.layout.improving import improved
+from popsim.layout.improving import Change, improvements
 from popsim.layout.joints import Joint
 from popsim.layout.laid import Laid, Plan, Planned, is_worth
 from popsim.layout.nesting import Estimator
@@ -67,12 +67,13 @@ def with_opened_folds(
         What is laid out without opening any.
     """
 
-    def changes(laid: Laid) -> list[Callable[[], Planned]]:
+    def changes(laid: Laid) -> list[Change]:
         now = laid.planned
         openings = _promising(laid, estimator, room, settings)
         return [partial(plan, now.divisions, now.barred | opening.barred) for opening in openings]
 
-    return improved(laid, changes, place, estimator, room, most=OPENINGS)
+    *_, last = laid, *improvements(laid, changes, place, estimator, room, most=OPENINGS)
+    return last
 
 
 def _promising(laid: Laid, estimator: Estimator, room: Room, settings: LayoutSettings) -> list[Opening]:

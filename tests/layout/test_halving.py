@@ -5,57 +5,32 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from hand_made import card_with, shares, wall
 from shapely.geometry import box
 
-from popsim.design import Card, Design, Hinge, Patch
-from popsim.design.rules import check_rules
+from popsim.design import Design, Hinge, Patch
 from popsim.geometry.flat import move_shape
 from popsim.layout import Layout, LayoutSettings, lay_out
-from popsim.layout.improving import improved
+from popsim.layout.improving import improvements
 from popsim.layout.split import NO_STRIP, Hints, halved
-from popsim.layout.waste import WELL_FILLED, Waste, taken_of
+from popsim.layout.waste import WELL_FILLED, Waste
+from popsim.stock import parse_stock
 
 LONG, DEEP, SIDE, BAR = 180.0, 60.0, 170.0, 14.0
 
 
-def frame(name: str, y: float) -> tuple[Patch, Hinge]:
-    """An upright frame that is glued to the ground; no two of them go onto one A4."""
+def framed_card(count: int, *more: tuple[Patch, Hinge]) -> Design:
+    """A card with upright frames one behind the other, and more; no two frames go onto one A4."""
     half, inner = SIDE / 2, SIDE / 2 - BAR
-    foot = ((-half, y, 0.0), (half, y, 0.0))
-    hole = ((-inner, y, BAR), (inner, y, BAR), (inner, y, SIDE - BAR), (-inner, y, SIDE - BAR))
-    patch = Patch(id=name, outline=(*foot, (half, y, SIDE), (-half, y, SIDE)), holes=(hole,))
-    return patch, Hinge(id=f"h-{name}", patches=("G", name), axis=foot, kind="glue")
-
-
-def framed_card(count: int) -> Design:
-    """A card with frames one behind the other."""
-    x = LONG / 2
-    pages = [
-        Patch(id=name, outline=((-x, low, 0), (x, low, 0), (x, low + DEEP, 0), (-x, low + DEEP, 0)))
-        for name, low in (("G", 0.0), ("B", -DEEP))
-    ]
-    central = Hinge(
-        id="h0",
-        patches=("G", "B"),
-        axis=((-x, 0.0, 0.0), (x, 0.0, 0.0)),
-        kind="central",
-        crease=(0.0, 0.0, -1.0),
-    )
-    frames = [frame(f"W{k}", 10.0 + 8 * k) for k in range(count)]
-    design = Design(
-        card=Card(x=(-x, x), depth=DEEP),
-        patches=(*pages, *(patch for patch, _ in frames)),
-        hinges=(central, *(hinge for _, hinge in frames)),
-    )
-    check_rules(design)
-    return design
+    corners = ((-inner, BAR), (inner, BAR), (inner, SIDE - BAR), (-inner, SIDE - BAR))
+    places = [10.0 + 8 * k for k in range(count)]
+    frames = [wall(f"W{k}", y, half, SIDE, (tuple((x, y, z) for x, z in corners),)) for k, y in enumerate(places)]
+    return card_with([*frames, *more], LONG / 2, DEEP)
 
 
 def filled(layout: Layout) -> np.ndarray:
     """How full the sheets are, the emptiest first."""
-    area = np.prod(layout.settings.area(layout.paper))
-    shares = [placement.piece.outline.area / area for placement in layout.placements]
-    return np.sort(taken_of(shares, [placement.sheet for placement in layout.placements]))
+    return np.sort(shares(layout))
 
 
 @pytest.mark.parametrize(("count", "sheets"), [(1, (2, 1)), (2, (2, 2)), (3, (3, 2)), (4, (4, 2))])
@@ -100,6 +75,22 @@ def test_halves_leave_no_strip(axis: int) -> None:
     assert not halved(box(0, 0, 2 * NO_STRIP, 2 * NO_STRIP), axis, Hints([], []), 0.5)
 
 
+def test_edges_are_cut_back_alike_whether_patches_are_divided_or_not() -> None:
+    """The frames butt against a wall; what is divided is what was designed, and only then cut back."""
+    x = SIDE / 2
+    foot = ((x, 5.0, 0.0), (x, 45.0, 0.0))
+    side = Patch(id="S", outline=(*foot, (x, 45.0, 60.0), (x, 5.0, 60.0)))
+    design = framed_card(3, (side, Hinge(id="h-S", patches=("G", "S"), axis=foot, kind="glue")))
+    stock = parse_stock("60gsm")
+    whole, layout = (lay_out(design, settings=LayoutSettings(split=split, stock=stock)) for split in (False, True))
+    assert layout.divided
+    for name in layout.divided:
+        cut_back = whole.parts[name].polygon.area
+        assert cut_back < SIDE**2 - (SIDE - 2 * BAR) ** 2 - 1
+        own = [part.polygon.area for part in layout.parts.values() if part.patch.id == name]
+        assert sum(own) == pytest.approx(cut_back, abs=1e-6)
+
+
 def test_pieces_lie_on_their_sheets() -> None:
     layout = lay_out(framed_card(3))
     for placement in layout.placements:
@@ -128,13 +119,15 @@ def test_of_changes_the_first_that_leaves_nothing_lacking_is_taken_else_the_best
 
     changes = [partial(SimpleNamespace, outlines=name) for name in "abc"]
     estimator = SimpleNamespace(waste=lambda name: Waste(3, 0.0, 0.5, -1.0, ()))
-    found = improved(
-        laid("before", 0.4),
+    before = laid("before", 0.4)
+    found = improvements(
+        before,
         lambda _: changes,
         lambda made: place(made.outlines),
         estimator,
         (200.0, 300.0),
         most=1,
     )
+    *_, last = before, *found
     assert asked == placed
-    assert found.name == taken
+    assert last.name == taken

@@ -2,45 +2,25 @@
 
 import numpy as np
 import pytest
+from hand_made import card_with, shares, wall
 
-from popsim.design import Card, Design, Hinge, Patch
-from popsim.design.rules import check_rules
+from popsim.design import Design, Hinge, Patch
 from popsim.layout import Layout, LayoutError, LayoutSettings, find_paper, lay_out
 from popsim.layout.filling import Place
 from popsim.layout.laid import Laid, Planned
 from popsim.layout.nesting import Estimator
 from popsim.layout.nets import Net
 from popsim.layout.opening import with_opened_folds
-from popsim.layout.waste import WELL_FILLED, taken_of, waste_of
+from popsim.layout.waste import WELL_FILLED, waste_of
 from popsim.verification.random_designs import random_design
 
 LONG, DEEP = 240.0, 50.0
 
 
-def page(name: str, low: float, high: float) -> Patch:
-    x = LONG / 2
-    return Patch(id=name, outline=((-x, low, 0), (x, low, 0), (x, high, 0), (-x, high, 0)))
-
-
-def wall(name: str, y: float, half: float, high: float) -> tuple[Patch, Hinge]:
-    """An upright rectangle that is glued to the ground."""
-    foot = ((-half, y, 0.0), (half, y, 0.0))
-    patch = Patch(id=name, outline=(*foot, (half, y, high), (-half, y, high)))
-    return patch, Hinge(id=f"h-{name}", patches=("G", name), axis=foot, kind="glue")
-
-
 def walled_card(*more: tuple[Patch, Hinge]) -> Design:
     """A card and two walls of which no two go onto one A4; half the card goes beside either wall."""
     walls = [wall("W1", 30, LONG / 2, 100), wall("W2", 10, 60, 100), *more]
-    axis = ((-LONG / 2, 0.0, 0.0), (LONG / 2, 0.0, 0.0))
-    central = Hinge(id="h0", patches=("G", "B"), axis=axis, kind="central", crease=(0.0, 0.0, -1.0))
-    design = Design(
-        card=Card(x=(-LONG / 2, LONG / 2), depth=DEEP),
-        patches=(page("G", 0, DEEP), page("B", -DEEP, 0), *(patch for patch, _ in walls)),
-        hinges=(central, *(hinge for _, hinge in walls)),
-    )
-    check_rules(design)
-    return design
+    return card_with(walls, LONG / 2, DEEP)
 
 
 def test_a_card_is_cut_at_its_fold_to_save_a_sheet() -> None:
@@ -113,7 +93,4 @@ def test_what_is_opened_stays_as_estimated(monkeypatch: pytest.MonkeyPatch, seed
     after = {frozenset(piece.motions) for piece in layout.pieces}
     first, second = after - before
     assert before - after == {first | second}
-    area = np.prod(layout.settings.area(layout.paper))
-    shares = [placement.piece.outline.area / area for placement in layout.placements]
-    filled = np.sort(taken_of(shares, [placement.sheet for placement in layout.placements]))
-    assert filled[1:].min() >= WELL_FILLED
+    assert np.sort(shares(layout))[1:].min() >= WELL_FILLED

@@ -5,6 +5,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 import shapely
+from hand_made import shares
 from shapely.geometry import box
 
 from popsim.design import Card, Design
@@ -15,7 +16,7 @@ from popsim.layout.divisions import count_parts, other_divisions, parts_of, plai
 from popsim.layout.seams import lay_out_divided
 from popsim.layout.sketch import Sketch
 from popsim.layout.split import Flaps, Hints, cut
-from popsim.layout.waste import WELL_FILLED, Waste, taken_of
+from popsim.layout.waste import WELL_FILLED, Waste
 from popsim.mechanisms import assemble, card_pair
 from popsim.mechanisms.box_fold import BoxFold
 
@@ -29,12 +30,6 @@ def design(length: float, depth: float, half_width: float = 40.0, height: float 
     card = Card(x=(-length / 2, length / 2), depth=depth)
     reach = length / 2 - half_width - 5
     return assemble(card, [BoxFold.plain("M1", card_pair(card), half_width, height, (-reach, reach))])
-
-
-def shares(layout: Layout) -> np.ndarray:
-    area = np.prod(layout.settings.area(layout.paper))
-    taken = [placement.piece.outline.area / area for placement in layout.placements]
-    return taken_of(taken, [placement.sheet for placement in layout.placements])
 
 
 def seams(layout: Layout) -> int:
