@@ -188,10 +188,8 @@ def within(x: FloatArray, y: FloatArray, ring: FloatArray) -> BoolArray:
     if len(edges) == RECTANGLE and all(min(abs(x1 - x0), abs(y1 - y0)) < STRAIGHT for (x0, y0), (x1, y1) in edges):
         (left, *_, right), (lower, *_, upper) = (sorted(values) for values in zip(*corners, strict=True))
         return np.asarray(((x > left) & (x < right)) & ((y > lower) & (y < upper)))
-    inside = np.zeros(np.broadcast_shapes(x.shape, y.shape), dtype=bool)
-    for (x0, y0), (x1, y1) in edges:
-        if y0 == y1:
-            continue
-        end = x0 if x0 == x1 else x0 + (y - y0) * ((x1 - x0) / (y1 - y0))
-        inside ^= ((y >= y0) != (y >= y1)) & (x < end)
-    return inside
+    steep = [edge for edge in edges if edge[0][1] != edge[1][1]]
+    x0, y0, x1, y1 = np.array(steep).reshape(-1, 4).T[(..., *(None,) * y.ndim)]
+    crossed = (y >= y0) != (y >= y1)
+    ends = np.where(crossed, np.where(x0 == x1, x0, x0 + (y - y0) * ((x1 - x0) / (y1 - y0))), -np.inf)
+    return np.asarray(np.logical_xor.reduce(x < ends, axis=0))

@@ -45,7 +45,10 @@ def _hold(shown: BoolArray, inside: BoolArray, span: tuple[float, float], at: fl
         return
     cells = shown[first:last, border:] if above else shown[first:last, border - 1 :: -1]
     needed = int(np.ceil(least_hold(last - first, least=HINGE_LENGTH / side)))
-    deep = _depths(cells, max(round(NEAR_EDGE / side), 1))
+    seam = max(round(NEAR_EDGE / side), 1)
+    if seam < cells.shape[1] and np.count_nonzero(cells[:, seam]) >= needed:
+        return
+    deep = _depths(cells, seam)
     if np.count_nonzero(deep == 0) >= needed:
         return
     nearest = np.lexsort((_aside(deep), deep))[:needed]

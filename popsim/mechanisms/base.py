@@ -2,6 +2,7 @@
 
 from abc import ABC, abstractmethod
 from collections.abc import Iterator, Mapping
+from copy import copy
 from dataclasses import dataclass, field, fields
 from functools import cached_property
 from math import hypot, sqrt
@@ -35,6 +36,14 @@ BESIDE_OF_FACE = 0.3
 """and to at most this share of the side of a square as large as the face."""
 
 NO_HINGES = np.zeros((0, 2, 3))
+
+SHAPES: dict[str, tuple[int | None, ...]] = {
+    "outline": (None, 3),
+    "room": (None, 3),
+    "outward": (3,),
+    "hinges": (None, 2, 3),
+}
+"""Of the arrays of a plate."""
 
 LEVEL = 0.5
 """Plates whose normal rises by as much lie rather than stand upright."""
@@ -76,13 +85,27 @@ class Plate:
     hinges: FloatArray = field(default_factory=NO_HINGES.copy)
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "outline", locked(self.outline, (None, 3), f"outline of {self.role}"))
-        room = self.outline if self.room is None else self.room
-        object.__setattr__(self, "room", locked(room, (None, 3), f"room of {self.role}"))
-        object.__setattr__(self, "outward", locked(self.outward, (3,), f"outward of {self.role}"))
-        object.__setattr__(self, "hinges", locked(self.hinges, (None, 2, 3), f"hinges of {self.role}"))
+        if self.room is None:
+            object.__setattr__(self, "room", self.outline)
+        for name, shape in SHAPES.items():
+            object.__setattr__(self, name, locked(getattr(self, name), shape, f"{name} of {self.role}"))
         if np.isnan(self.beside):
             object.__setattr__(self, "beside", min(BESIDE * self.behind, BESIDE_OF_FACE * sqrt(self.area)))
+
+    def but(self, **changed: FloatArray | float) -> Self:
+        """The plate with other values of some fields; nothing else is checked or worked out anew.
+
+        Raises
+        ------
+        GeometryError
+            An array is not of its shape, or not finite.
+        """
+        other = copy(self)
+        other.__dict__.pop("area", None)
+        for name, value in changed.items():
+            whole = locked(value, SHAPES[name], f"{name} of {self.role}") if name in SHAPES else value
+            object.__setattr__(other, name, whole)
+        return other
 
     @cached_property
     def area(self) -> float:

@@ -1,7 +1,6 @@
 """Mechanisms together: what stands on one or beside it leaves less room to the contours of its plates."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 from functools import lru_cache
 
 import numpy as np
@@ -39,26 +38,50 @@ def plates_together(mechanisms: Sequence[Mechanism], depths: Depths = AS_THEY_AR
         How much deeper than by themselves plates show the model.
     """
     ranges = _subtree_ranges(mechanisms)
-    carried: dict[str | None, list[Mechanism]] = {mechanism.id: [] for mechanism in mechanisms}
-    for mechanism in mechanisms:
-        carried.setdefault(mechanism.pair.owner, []).append(mechanism)
+    found = {}
+    for owner in mechanisms:
+        carried = [other for other in mechanisms if other.pair.owner == owner.id]
+        corners = tuple(other for other in carried if other.pair.kind is PairKind.CORNER)
+        above = tuple((*ranges[it.id], it.pair.v) for it in carried if it.pair.kind is PairKind.OPENING)
+        pair = owner.pair.patches
+        beside = tuple(ranges[it.id] for it in mechanisms if it is not owner and it.pair.patches == pair)
+        plates = _fitted(owner, corners, beside, above)
+        found[owner.id] = tuple(
+            _deepened(plate, *depths.get(owner.patch_id(plate.role), (1.0, 1.0))) for plate in plates
+        )
+    return found
 
-    def fitted(plate: Plate, owner: Mechanism) -> Plate:
-        for other in carried[owner.id]:
-            if other.pair.kind is PairKind.CORNER and _near(plate, other):
+
+@lru_cache(maxsize=1024)
+def _fitted(
+    owner: Mechanism,
+    corners: tuple[Mechanism, ...],
+    beside: tuple[tuple[float, float], ...],
+    above: tuple[tuple[float, float, float], ...],
+) -> tuple[Plate, ...]:
+    """The plates of a mechanism with the room that is left to them.
+
+    Parameters
+    ----------
+    owner:
+        The mechanism.
+    corners:
+        What stands in its corners.
+    beside:
+        Ranges (first and last x) of what stands on the same pair.
+    above:
+        The same of what stands on its tops, and from which height on, mm.
+    """
+
+    def fitted(plate: Plate) -> Plate:
+        for other in corners:
+            if _near(plate, other):
                 plate = _before(plate, other.pair)
         if abs(plate.outward[1]) > ALONG:
-            beside = [
-                other for other in mechanisms if other is not owner and other.pair.patches == owner.pair.patches
-            ]
-            plate = _between(plate, tuple(ranges[other.id] for other in beside))
-            above = [other for other in carried[owner.id] if other.pair.kind is PairKind.OPENING]
-            plate = _below(plate, tuple((*ranges[other.id], other.pair.v) for other in above))
-        return _deepened(plate, *depths.get(owner.patch_id(plate.role), (1.0, 1.0)))
+            plate = _below(_between(plate, beside), above)
+        return plate
 
-    return {
-        mechanism.id: tuple(fitted(plate, mechanism) for plate in plates_of(mechanism)) for mechanism in mechanisms
-    }
+    return tuple(fitted(plate) for plate in plates_of(owner))
 
 
 @lru_cache(maxsize=1024)
@@ -68,7 +91,7 @@ def plates_of(mechanism: Mechanism) -> tuple[Plate, ...]:
     for joint in mechanism.joints():
         for role in joint.roles:
             lines.setdefault(role, []).append(joint.axis)
-    return tuple(replace(plate, hinges=np.array(lines[plate.role])) for plate in mechanism.plates())
+    return tuple(plate.but(hinges=np.array(lines[plate.role])) for plate in mechanism.plates())
 
 
 def _subtree_ranges(mechanisms: Sequence[Mechanism]) -> dict[str, tuple[float, float]]:
@@ -96,7 +119,7 @@ def _below(plate: Plate, taken: tuple[tuple[float, float, float], ...]) -> Plate
     left = union_all([face, room.difference(union_all([block(x0, z, x1, top) for x0, x1, z in taken]))])
     parts = [part for part in getattr(left, "geoms", [left]) if part.intersects(face)]
     ring: FloatArray = np.array(max(parts, key=lambda part: part.area).exterior.coords)[:-1]
-    return replace(plate, room=np.column_stack([ring[:, 0], np.full(len(ring), plate.outline[0, 1]), ring[:, 1]]))
+    return plate.but(room=np.column_stack([ring[:, 0], np.full(len(ring), plate.outline[0, 1]), ring[:, 1]]))
 
 
 @lru_cache(maxsize=4096)
@@ -110,7 +133,7 @@ def _between(plate: Plate, taken: tuple[tuple[float, float], ...]) -> Plate:
     high = min((low for low, _ in taken if low >= last), default=np.inf)
     room = plate.room.copy()
     room[:, 0] = np.clip(room[:, 0], low, high)
-    return replace(plate, room=room)
+    return plate.but(room=room)
 
 
 @lru_cache(maxsize=4096)
@@ -118,7 +141,7 @@ def _deepened(plate: Plate, behind: float, beside: float) -> Plate:
     """A plate that shows the model so many times as deep behind its face, and beyond it."""
     if behind == beside == 1.0:
         return plate
-    return replace(plate, behind=behind * plate.behind, beside=beside * plate.beside)
+    return plate.but(behind=behind * plate.behind, beside=beside * plate.beside)
 
 
 def _near(plate: Plate, child: Mechanism) -> bool:
@@ -149,4 +172,4 @@ def _before(plate: Plate, corner: BasePatchPair) -> Plate:
             ring.append(here)
         if a * b < 0:
             ring.append(here + (there - here) * (a / (a - b)))
-    return replace(plate, room=np.array(ring))
+    return plate.but(room=np.array(ring))
