@@ -13,22 +13,18 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from popsim.fitting.drawing import Drawing
 from popsim.fitting.fronts import Fronts
-from popsim.fitting.masks import FAR, FloatImage
-from popsim.fitting.mirror import Mirror, lies_beyond, mirrored, same_on_both_sides, shape_of
-from popsim.fitting.stencil import Stencil
-from popsim.fitting.views import PIXELS, Drawn, Views
+from popsim.fitting.masks import FloatImage
+from popsim.fitting.views import PIXELS, Views
 from popsim.geometry.arrays import BoolArray, FloatArray, IntArray
-from popsim.mechanisms import AS_THEY_ARE, Depths, Mechanism, Plate, plates_together
+from popsim.mechanisms import AS_THEY_ARE, Depths, Mechanism
 
 if TYPE_CHECKING:
     from popsim.rendering.ray_scene import RayScene
 
 DEEP = 0.04
 """Share of the diagonal by which depths may differ and still count as the same surface."""
-
-REMEMBERED = 4000
-"""Plates whose pictures are kept; candidates differ in few of them."""
 
 GRAIN = 0.006
 """Side of the cells of stencils, as a share of the diagonal: gaps up to about that are closed."""
@@ -64,53 +60,41 @@ class Appearance:
         self.scene, self.bounds = scene, bounds
         self.views = Views.of(bounds, fineness * PIXELS)
         self.grain = GRAIN * self.views.diagonal / fineness
-        self.known: dict[bytes, list[Drawn]] = {}
 
     def likeness(self, mechanisms: Sequence[Mechanism], depths: Depths = AS_THEY_ARE) -> Likeness:
         """Compare mechanisms with the model, with factors on the depths of their plates."""
-        depth = np.full((len(self.views.axes), self.views.pixels, self.views.pixels), FAR)
-        for own in plates_together(mechanisms, depths).values():
-            for plate in own:
-                for view, rows, columns, there in self._picture(plate):
-                    part = depth[view, rows, columns]
-                    np.minimum(part, there, out=part)
-        model = self._model
+        depth, half = self._drawing.drawn(mechanisms, depths)
+        model = self._half if half else self._model
         apart = np.abs(depth.reshape(-1).take(model.pixels) - model.depth)
         apart *= np.float32(1 / (DEEP * self.views.diagonal))
         both = np.isfinite(apart)
         silhouette = model.counted(both)
         union = np.array([np.count_nonzero(np.isfinite(own)) for own in depth]) + model.counts - silhouette
         shares = silhouette, model.counted(apart <= 1), model.summed(np.minimum(apart, both))
-        return Likeness(*(float((share / union).mean()) for share in shares))
+        return Likeness(*(float(model.weights @ (share / union)) for share in shares))
 
     def look(self) -> None:
         """Look at the model now rather than when it is first asked for."""
-        _ = self._model, self._mirror
+        _ = self._model, self._drawing
+
+    @cached_property
+    def _drawing(self) -> Drawing:
+        return Drawing(self.views, Fronts.of(self.scene, self.bounds, self.grain))
+
+    @cached_property
+    def _distance(self) -> FloatArray:
+        """How far the model is in all pixels of the views, shape (views, n)."""
+        return self.scene.hit(*self.views.rays()).distance.reshape(self.views.shape)
 
     @cached_property
     def _model(self) -> "Shown":
-        return Shown.of(self.scene.hit(*self.views.rays()).distance, self.views.shape)
+        return Shown.of(self._distance, np.ones(len(self._distance)))
 
     @cached_property
-    def _fronts(self) -> Fronts:
-        return Fronts.of(self.scene, self.bounds, self.grain)
-
-    @cached_property
-    def _mirror(self) -> Mirror | None:
-        """Where the model is the same on both sides of the fold."""
-        return Mirror.of(self.views) if same_on_both_sides(self._fronts) else None
-
-    def _picture(self, plate: Plate) -> list[Drawn]:
-        """A plate in all views as contours will leave it."""
-        across = self._mirror is not None and lies_beyond(plate)
-        key = shape_of(plate, across=across)
-        found = self.known.get(key)
-        if found is None:
-            found = self.views.drawn(Stencil.of(mirrored(plate) if across else plate, self._fronts))
-            if len(self.known) >= REMEMBERED:
-                self.known.pop(next(iter(self.known)))
-            self.known[key] = found
-        return self._mirror.image(found) if self._mirror is not None and across else found
+    def _half(self) -> "Shown":
+        """The model in the views that tell all where both sides of the fold look alike."""
+        assert self._drawing.mirror is not None
+        return Shown.of(self._distance[list(self._drawing.mirror.once)], self._drawing.mirror.weights)
 
 
 class Shown(NamedTuple):
@@ -124,20 +108,24 @@ class Shown(NamedTuple):
         Those of each view.
     counts:
         How many these are, shape (views,).
+    weights:
+        What each view counts, shape (views,); 1 together.
     """
 
     pixels: IntArray
     depth: FloatImage
     views: tuple[slice, ...]
     counts: IntArray
+    weights: FloatArray
 
     @staticmethod
-    def of(distance: FloatArray, shape: tuple[int, int]) -> "Shown":
-        """From the depths of all pixels of a number of views, inf where there is no model."""
+    def of(distance: FloatArray, weights: FloatArray) -> "Shown":
+        """From the depths of all pixels of some views, shape (views, n), inf where there is no model."""
+        shape, distance = distance.shape, distance.reshape(-1)
         pixels = np.flatnonzero(np.isfinite(distance))
         ends = np.searchsorted(pixels, shape[1] * np.arange(shape[0] + 1))
         views = tuple(slice(first, last) for first, last in pairwise(ends.tolist()))
-        return Shown(pixels, distance[pixels].astype(np.float32), views, np.diff(ends))
+        return Shown(pixels, distance[pixels].astype(np.float32), views, np.diff(ends), weights / weights.sum())
 
     def counted(self, which: BoolArray) -> IntArray:
         """How many pixels of each view a mask of all pixels holds."""

@@ -1,12 +1,13 @@
 """Pixels of nine parallel views of the open card, and where they meet a plane."""
 
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
 
-from popsim.fitting.masks import FloatImage, drawn
+from popsim.fitting.masks import FAR, FloatImage, drawn
 from popsim.fitting.slant import ACROSS, Slant
 from popsim.fitting.stencil import Stencil
 from popsim.geometry.arrays import FloatArray
@@ -187,3 +188,22 @@ class Facing(NamedTuple):
         across, up = (deepening[:, :, None] * views.centres).astype(np.float32).swapaxes(0, 1)
         ramps = list(across), list(up[:, :, None])
         return Facing(faced.tolist(), turn, np.abs(turn), origin, rise, back, depth, height, deepening, *ramps)
+
+
+def flattened(pictures: Iterable[Drawn]) -> list[Drawn]:
+    """Rectangles of views as one for each view: what is nearest in each pixel."""
+    views: dict[int, list[Drawn]] = {}
+    for picture in pictures:
+        views.setdefault(picture.view, []).append(picture)
+    return [own[0] if len(own) == 1 else _nearest(own) for own in views.values()]
+
+
+def _nearest(pictures: Sequence[Drawn]) -> Drawn:
+    """Rectangles of one view as one."""
+    top, left = (min(span.start for span in spans) for spans in zip(*(own[1:3] for own in pictures), strict=True))
+    end, right = (max(span.stop for span in spans) for spans in zip(*(own[1:3] for own in pictures), strict=True))
+    depth = np.full((end - top, right - left), FAR)
+    for _, rows, columns, there in pictures:
+        part = depth[rows.start - top : rows.stop - top, columns.start - left : columns.stop - left]
+        np.minimum(part, there, out=part)
+    return Drawn(pictures[0].view, slice(top, end), slice(left, right), depth)

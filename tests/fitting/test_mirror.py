@@ -8,18 +8,20 @@ from fitting_surfaces import block, surface
 
 from popsim.design import Card
 from popsim.fitting.appearance import Appearance
+from popsim.fitting.drawing import Drawing
 from popsim.fitting.fronts import Fronts
-from popsim.fitting.mirror import Mirror, lies_beyond, mirrored, same_on_both_sides, shape_of
+from popsim.fitting.mirror import Mirror, Sides, lies_beyond, plain, same_on_both_sides, shape_of
 from popsim.fitting.stencil import Stencil
 from popsim.fitting.views import Views
-from popsim.mechanisms import card_pair
+from popsim.mechanisms import card_pair, plates_together
 from popsim.mechanisms.box_fold import BoxFold
 from popsim.rendering.ray_scene import RayScene
 
 BOUNDS = np.array([[-50.0, -30.0, 0.0], [50.0, 30.0, 40.0]])
 EVEN = (block((-50, -30, 0), (50, 30, 22)), block((-20, -18, 20), (30, 18, 40)))
 PIPE = block((-44, 22, 20), (-36, 30, 36))
-PLATES = BoxFold.plain("M", card_pair(Card(x=(-80.0, 80.0), depth=90.0)), 28.0, 37.0, (-47.0, 41.0)).plates()
+BOX = BoxFold.plain("M", card_pair(Card(x=(-80.0, 80.0), depth=90.0)), 28.0, 37.0, (-47.0, 41.0))
+PLATES = BOX.plates()
 ROLES = [plate.role for plate in PLATES]
 
 
@@ -50,7 +52,7 @@ def test_the_image_of_a_picture_is_the_picture_of_the_image(role):
     fronts = Fronts.of(scene(*EVEN), BOUNDS, 0.7)
     plate = PLATES[ROLES.index(role)]
     image = drawn(views, Mirror.of(views).image(views.drawn(Stencil.of(plate, fronts))))
-    other = drawn(views, views.drawn(Stencil.of(mirrored(plate), fronts)))
+    other = drawn(views, views.drawn(Stencil.of(plain(plate, across=True), fronts)))
     shown, also = np.isfinite(image), np.isfinite(other)
     assert (shown != also).sum() <= 0.02 * max(shown.sum(), 1)
     both = shown & also
@@ -58,19 +60,53 @@ def test_the_image_of_a_picture_is_the_picture_of_the_image(role):
 
 
 def test_both_sides_of_a_box_are_seen_at_the_cost_of_one():
-    appearance = Appearance(scene(*EVEN), BOUNDS)
+    drawing = Drawing(Views.of(BOUNDS), Fronts.of(scene(*EVEN), BOUNDS, 0.7))
     sides = [plate for plate in PLATES if plate.outline[:, 1].any()]
     assert {lies_beyond(plate) for plate in sides} == {True, False}
     for plate in sides:
-        appearance._picture(plate)
-    assert len(appearance.known) == len(sides) / 2
+        drawing.picture(plate)
+    assert len(drawing.plates) == len(sides) / 2
+
+
+def test_of_a_box_on_the_fold_only_the_near_side_is_drawn():
+    together = plates_together([BOX])["M"]
+    own = Sides.of(together, even=True)
+    assert own.even and {plate.role for plate in own.plates} == {"L", "C", "T_G", "B_L", "F_L"}
+    assert not Sides.of(together, even=False).even
+    deeper = plates_together([BOX], {"M.R": (2.0, 1.0)})["M"]
+    assert not Sides.of(deeper, even=True).even and Sides.of(deeper, even=True).plates == deeper
+
+
+@pytest.mark.parametrize("depths", [{}, {"M.R": (3.0, 1.0)}])
+def test_asked_again_a_mechanism_is_drawn_the_same(depths):
+    drawing = Drawing(Views.of(BOUNDS), Fronts.of(scene(*EVEN), BOUNDS, 0.7))
+    first, *later = (drawing.drawn([BOX], depths) for _ in range(3))
+    assert len(drawing.wholes) == 1 and first[1] is not bool(depths)
+    for depth, half in later:
+        assert half == first[1] and np.array_equal(depth, first[0])
+
+
+def test_of_what_is_alike_on_both_sides_half_of_the_views_tell_all():
+    views = Views.of(BOUNDS)
+    mirror = Mirror.of(views)
+    depth, half = Drawing(views, Fronts.of(scene(*EVEN), BOUNDS, 0.7)).drawn([BOX], {})
+    assert half and len(depth) == len(mirror.once) < len(views.axes)
+    assert mirror.weights.sum() == len(views.axes)
+    whole = np.full((len(views.axes), views.pixels, views.pixels), np.inf)
+    near = Sides.of(plates_together([BOX])["M"], even=True).plates
+    fronts = Fronts.of(scene(*EVEN), BOUNDS, 0.7)
+    pictures = [
+        picture for plate in near for picture in views.drawn(Stencil.of(plain(plate, across=False), fronts))
+    ]
+    for view, rows, columns, there in [*pictures, *mirror.image(pictures)]:
+        whole[view, rows, columns] = np.minimum(whole[view, rows, columns], there)
+    assert np.array_equal(depth, whole[list(mirror.once)])
 
 
 def test_a_likeness_is_nearly_that_of_looking_at_both_sides(monkeypatch):
-    box = BoxFold.plain("M", card_pair(Card(x=(-80.0, 80.0), depth=90.0)), 28.0, 37.0, (-47.0, 41.0))
-    one = Appearance(scene(*EVEN), BOUNDS).likeness([box])
-    monkeypatch.setattr("popsim.fitting.appearance.same_on_both_sides", lambda fronts: False)
-    both = Appearance(scene(*EVEN), BOUNDS).likeness([box])
+    one = Appearance(scene(*EVEN), BOUNDS).likeness([BOX])
+    monkeypatch.setattr("popsim.fitting.drawing.same_on_both_sides", lambda fronts: False)
+    both = Appearance(scene(*EVEN), BOUNDS).likeness([BOX])
     assert one.silhouette == pytest.approx(both.silhouette, abs=2e-3)
     assert one.relief == pytest.approx(both.relief, abs=2e-3)
 
@@ -79,7 +115,9 @@ def test_a_shape_does_not_depend_on_how_its_corners_are_listed():
     plate = next(plate for plate in PLATES if len(plate.room) > 3)
     listed = replace(plate, outline=np.roll(plate.outline[::-1], 2, axis=0), room=np.roll(plate.room, 1, axis=0))
     assert shape_of(listed, across=False) == shape_of(plate, across=False)
-    assert shape_of(mirrored(plate), across=True) == shape_of(plate, across=False)
+    image = plain(plate, across=True)
+    assert shape_of(image, across=True) == shape_of(plate, across=False) != shape_of(image, across=False)
+    assert np.array_equal(plain(listed, across=False).room, plain(plate, across=False).room)
     for other in (
         replace(plate, outline=plate.outline + np.array([0.01, 0, 0])),
         replace(plate, behind=plate.behind + 1),
