@@ -125,7 +125,7 @@ def fit_best(subjects: Sequence[Subject], settings: FitSettings | None = None) -
     outsets = [Outset.of(subject, settings) for subject in subjects]
     start = outsets[0].start
     if start.nodes and not settings.wishes.add:
-        return 0, _shown(outsets[0], start, 0.0, "kept")
+        return 0, _shown(outsets[0], outsets[0].deepened(start), 0.0, "kept")
     found = search(outsets)
     if found is None:
         raise MeshError("no part of the model is solid enough for a mechanism; try --detail 1 or another --up")
@@ -135,9 +135,8 @@ def fit_best(subjects: Sequence[Subject], settings: FitSettings | None = None) -
 
 
 def _shown(outset: Outset, candidate: Candidate, gap: float, begun: str) -> Fit:
-    """A fit with the depths of all plates chosen, and how it looks with more pixels."""
-    shown = outset.deepened(candidate)
-    return Fit(shown, outset.fine.likeness(shown.mechanisms, shown.depths), gap, begun)
+    """A fit and how it looks with more pixels."""
+    return Fit(candidate, outset.fine.likeness(candidate.mechanisms, candidate.depths), gap, begun)
 
 
 def _placement(candidate: Candidate, index: int) -> Placement:

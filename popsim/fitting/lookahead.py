@@ -1,18 +1,20 @@
-"""Answers one after another, where a second process works on the next one meanwhile.
+"""Answers that a second process helps to find.
 
 A search tries one change after another and takes the first that is better, so most of what it will ask is known
-before: what stands next in line. What is asked may be the value of a candidate, or a whole climb from one. The
-answers, and so what is found, are the same with one process.
+before: what stands next in line; the second process works on that meanwhile (:meth:`Known.ahead`). Where all
+answers are needed, each process takes the next question when it is through with its last (:meth:`Known.all`). What
+is asked may be the value of a candidate, or a whole climb from one. The answers are the same with one process.
 """
 
-from collections.abc import Callable, Generator, Iterable, Iterator
+from collections.abc import Callable, Generator, Iterable, Iterator, Sequence
 from contextlib import contextmanager, suppress
-from typing import TYPE_CHECKING, Any, Generic, TypeVar
+from typing import TYPE_CHECKING, Any, Generic, NamedTuple, TypeVar
 
 from popsim.beside import forked
 
 if TYPE_CHECKING:
     from multiprocessing.connection import Connection
+    from multiprocessing.sharedctypes import Synchronized
 
 T = TypeVar("T")
 R = TypeVar("R")
@@ -21,8 +23,8 @@ R = TypeVar("R")
 class Helper:
     """A second process, which does one thing at a time."""
 
-    def __init__(self, pipe: "Connection[Any, Any]") -> None:
-        self._pipe = pipe
+    def __init__(self, pipe: "Connection[Any, Any]", taken: "Synchronized[int]") -> None:
+        self._pipe, self._taken = pipe, taken
         self.free = True
 
     def ask(self, number: int, thing: object) -> None:
@@ -35,6 +37,36 @@ class Helper:
         found: tuple[Any] | None = self._pipe.recv()
         self.free = True
         return found
+
+    def share(self, number: int, things: Sequence[T], work: Callable[[T], object]) -> list[tuple[Any] | None]:
+        """What the work of that number makes of things, each done here or there; None where that failed there."""
+        self.free = False
+        self._taken.value = 0
+        self._pipe.send((number, Shared(things)))
+        try:
+            own = {place: (work(things[place]),) for place in _taking(self._taken, len(things))}
+        finally:
+            self._taken.value = len(things)
+            found: list[tuple[Any] | None] = self._pipe.recv()
+            self.free = True
+        return [own.get(place, there) for place, there in enumerate(found)]
+
+
+class Shared(NamedTuple):
+    """Things of which each process takes the next one when it is through with its last."""
+
+    things: Sequence[Any]
+
+
+def _taking(taken: "Synchronized[int]", count: int) -> Iterator[int]:
+    """Places, each to one process only."""
+    while True:
+        with taken.get_lock():
+            place = taken.value
+            taken.value = place + 1
+        if place >= count:
+            return
+        yield place
 
 
 class Known(Generic[T, R]):
@@ -83,6 +115,16 @@ class Known(Generic[T, R]):
                     self.known[self.key(following)] = found[0]
             yield following, self(following)
 
+    def all(self, things: Sequence[T]) -> list[tuple[T, R]]:
+        """Things and what comes of them, in order."""
+        left = list({key: thing for thing in things if (key := self.key(thing)) not in self.known}.values())
+        if self.helper is not None and self.helper[0].free and len(left) > 1:
+            helper, number = self.helper
+            for thing, found in zip(left, helper.share(number, left, self.work), strict=True):
+                if found is not None:
+                    self.known[self.key(thing)] = found[0]
+        return [(thing, self(thing)) for thing in things]
+
     def _new(self, thing: T, last: object) -> bool:
         """Whether a thing is neither known nor the same as the last one."""
         key = self.key(thing)
@@ -92,12 +134,15 @@ class Known(Generic[T, R]):
 @contextmanager
 def two_processes(*works: Known[Any, Any]) -> Iterator[None]:
     """Let a second process help with some works, where there can be one."""
-    started = forked(_serve, works)
+    from multiprocessing import Value
+
+    taken = Value("i", 0)
+    started = forked(_serve, works, taken)
     if started is None:
         yield
         return
     pipe, process = started
-    helper = Helper(pipe)
+    helper = Helper(pipe, taken)
     try:
         for number, known in enumerate(works):
             known.helper = helper, number
@@ -109,14 +154,25 @@ def two_processes(*works: Known[Any, Any]) -> Iterator[None]:
         process.join()
 
 
-def _serve(pipe: "Connection[Any, Any]", works: "tuple[Known[Any, Any], ...]") -> None:
+def _serve(pipe: "Connection[Any, Any]", works: "tuple[Known[Any, Any], ...]", taken: "Synchronized[int]") -> None:
     """Answer what is asked until whoever asks is gone."""
     while True:
         try:
             number, thing = pipe.recv()
         except EOFError:
             return
-        found = None
-        with suppress(Exception):  # it is raised where it is asked for again
-            found = (works[number](thing),)
+        known = works[number]
+        if isinstance(thing, Shared):
+            found: Any = [None] * len(thing.things)
+            for place in _taking(taken, len(found)):
+                found[place] = _tried(known, thing.things[place])
+        else:
+            found = _tried(known, thing)
         pipe.send(found)
+
+
+def _tried(work: Callable[[T], R], thing: T) -> tuple[R] | None:
+    """What comes of a thing; None where that fails: it is raised where it is asked for again."""
+    with suppress(Exception):
+        return (work(thing),)
+    return None

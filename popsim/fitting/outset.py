@@ -9,7 +9,6 @@ from popsim.fitting.candidate import Candidate
 from popsim.fitting.depths import deepened
 from popsim.fitting.greedy import Grower
 from popsim.fitting.kept import first_candidate
-from popsim.fitting.lookahead import two_processes
 from popsim.fitting.manners import SECOND, Manner
 from popsim.fitting.refit import Climber, Value, valued
 from popsim.fitting.settings import FitSettings
@@ -92,10 +91,9 @@ class Outset:
         return deepened(state, self.value)
 
     def polished(self, state: Candidate) -> Candidate:
-        """With each border at its last place."""
+        """With each border at its last place, and the depths of all plates."""
         fine = self._value(self.fine)
-        with two_processes(fine):
-            return Climber(fine, self._climber.grower).refit(state, FINE_BUDGET, FINE_STEPS)
+        return self.deepened(Climber(fine, self._climber.grower).refit(state, FINE_BUDGET, FINE_STEPS))
 
     @cached_property
     def _climber(self) -> Climber:

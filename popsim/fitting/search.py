@@ -53,14 +53,14 @@ def search(outsets: Sequence[Outset]) -> State | None:
     begun, refitted, completed = Known(begin, lambda way: way), Known(refit, State.key), Known(complete, State.key)
     with two_processes(*(outset.value for outset in outsets), begun, refitted, completed):
         ways = [(number, manner) for number in range(len(outsets)) for manner in MANNERS]
-        left = _ranked(_different(begun.ahead(ways)), outsets)
+        left = _ranked(_different(begun.all(ways)), outsets)
         if not left:
             return None
         folds = sorted({state.outset for state, score in left if score > left[0][1] - HOPELESS})
         for count, further in ((REFITTED, refitted), (COMPLETED, completed)):
             share = count // len(folds)
             over = ([state for state, _ in left if state.outset == fold] for fold in folds)
-            reached = further.ahead([state for states in over for state in states[:share]])
+            reached = further.all([state for states in over for state in states[:share]])
             left = _ranked([state._replace(candidate=found) for state, found in reached], outsets)
         return left[0][0]
 
@@ -80,6 +80,6 @@ def _ranked(states: Sequence[State], outsets: Sequence[Outset]) -> list[tuple[St
     scores: dict[object, float] = {}
     for number, outset in enumerate(outsets):
         own = [state for state in states if state.outset == number]
-        for state, (_, score) in zip(own, outset.value.ahead([state.candidate for state in own]), strict=True):
+        for state, (_, score) in zip(own, outset.value.all([state.candidate for state in own]), strict=True):
             scores[state.key()] = score
     return sorted(((state, scores[state.key()]) for state in states), key=lambda scored: -scored[1])
