@@ -59,11 +59,14 @@ def _measured(run: DesignRun) -> tuple[object, ...]:
     return len(run.fit.mechanisms), len(run.design.popup_patches), *shown, run.verdict.passed
 
 
-@pytest.mark.parametrize("name", ["truck/truck.obj", "hotel/hotel.glb"])
-def test_fitting_beside_convex_decomposition(name: str, models: Path, report: Report) -> None:
+@pytest.mark.parametrize("name", ["truck/truck.obj", *OWN, *SHARED])
+def test_fitting_beside_convex_decomposition(
+    name: str, models: Path, request: pytest.FixtureRequest, report: Report
+) -> None:
+    path = (request.getfixturevalue("shared_meshes") if name in SHARED else models) / name
     coacd = pytest.importorskip("coacd", reason="the extra `bench` is not installed")
     coacd.set_log_level("error")
-    prepared = prepare(models / name, Stance(), 150.0, 0)
+    prepared = prepare(path, Stance(), 150.0, 0)
     points, index = np.unique(prepared.surface.triangles.reshape(-1, 3).round(6), axis=0, return_inverse=True)
     mesh = coacd.Mesh(points, index.reshape(-1, 3))
     parts: list[object] = []
