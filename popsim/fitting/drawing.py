@@ -5,6 +5,7 @@ from typing import TypeVar
 
 import numpy as np
 
+from popsim.fitting.crossing import Band, Overhang, crossed, overhangs, without
 from popsim.fitting.fronts import Fronts
 from popsim.fitting.masks import FAR, FloatImage
 from popsim.fitting.mirror import Mirror, Sides, lies_beyond, plain, same_on_both_sides, shape_of
@@ -12,10 +13,11 @@ from popsim.fitting.stencil import Stencil
 from popsim.fitting.views import Drawn, Views, flattened
 from popsim.mechanisms import Depths, Mechanism, Plate, plates_together
 
-PLATES, MECHANISMS = 4000, 64
-"""How many plates, and mechanisms as a whole, are remembered with their pictures; candidates differ in few."""
+PLATES, STENCILS, MECHANISMS = 4000, 1000, 64
+"""How many pictures of plates, stencils and pictures of mechanisms are remembered; candidates differ in few."""
 
 Key = TypeVar("Key", bound=Hashable)
+T = TypeVar("T")
 
 
 class Drawing:
@@ -32,7 +34,8 @@ class Drawing:
     def __init__(self, views: Views, fronts: Fronts) -> None:
         self.views, self.fronts = views, fronts
         self.mirror = Mirror.of(views) if same_on_both_sides(fronts) else None
-        self.plates: dict[bytes, list[Drawn]] = {}
+        self.plates: dict[tuple[bytes, tuple[Band, ...]], list[Drawn]] = {}
+        self.stencils: dict[bytes, tuple[Stencil, tuple[Overhang, ...]]] = {}
         self.wholes: dict[tuple[bytes, ...], list[Drawn]] = {}
         self.asked: set[tuple[bytes, ...]] = set()
 
@@ -65,26 +68,53 @@ class Drawing:
         """All plates of a mechanism; as one picture for each view from the second time on."""
         found = self.wholes.get(sides.key)
         if found is None:
-            found = [picture for plate in sides.plates for picture in self.picture(plate)]
+            found = self._pictures(sides.plates)
             if sides.key in self.asked:
                 found = flattened(found)
                 _keep(self.wholes, sides.key, found, MECHANISMS)
             self.asked.add(sides.key)
         return found
 
-    def picture(self, plate: Plate) -> list[Drawn]:
-        """A plate in all views; it depends on nothing but its shape."""
-        across = self.mirror is not None and lies_beyond(plate)
-        key = shape_of(plate, across=across)
+    def _pictures(self, plates: Sequence[Plate]) -> list[Drawn]:
+        """The plates of a mechanism in all views; of two that cross beyond a hinge one ends there."""
+        across = [self._across(plate) for plate in plates]
+        found: list[Drawn] = []
+        for side in sorted(set(across)):
+            own = [plate for plate, other in zip(plates, across, strict=True) if other is side]
+            cut = crossed([self._stencil(plate)[1] for plate in own])
+            for place, plate in enumerate(own):
+                found += self.picture(plate, cut.get(place, ()))
+        return found
+
+    def picture(self, plate: Plate, cut: tuple[Band, ...] = ()) -> list[Drawn]:
+        """A plate in all views, with some bands cut away; it depends on nothing but its shape."""
+        across = self._across(plate)
+        key = shape_of(plate, across=across), cut
         found = self.plates.get(key)
         if found is None:
-            found = self.views.drawn(Stencil.of(plain(plate, across=across), self.fronts))
+            found = self.views.drawn(without(self._stencil(plate)[0], cut))
             _keep(self.plates, key, found, PLATES)
         return self.mirror.image(found) if self.mirror is not None and across else found
 
+    def _stencil(self, plate: Plate) -> tuple[Stencil, tuple[Overhang, ...]]:
+        """Where a plate, or its mirror image where that is drawn, shows the model, and beyond which hinges."""
+        across = self._across(plate)
+        key = shape_of(plate, across=across)
+        found = self.stencils.get(key)
+        if found is None:
+            own = plain(plate, across=across)
+            stencil = Stencil.of(own, self.fronts)
+            found = stencil, overhangs(own, stencil)
+            _keep(self.stencils, key, found, STENCILS)
+        return found
 
-def _keep(known: dict[Key, list[Drawn]], key: Key, pictures: list[Drawn], most: int) -> None:
-    """Remember pictures, and forget the oldest where there are too many."""
+    def _across(self, plate: Plate) -> bool:
+        """Whether the mirror image of a plate is drawn instead."""
+        return self.mirror is not None and lies_beyond(plate)
+
+
+def _keep(known: dict[Key, T], key: Key, found: T, most: int) -> None:
+    """Remember something, and forget the oldest where there is too much."""
     if len(known) >= most:
         known.pop(next(iter(known)))
-    known[key] = pictures
+    known[key] = found

@@ -40,12 +40,15 @@ class Stencil:
         Corner where the cells start, and their sides, along the coordinates of the slant, mm, each of shape (2,).
     mask:
         In which cells the model shows, shape (n, m).
+    face:
+        Cells of the face of the plate, shape (n, m).
     """
 
     slant: Slant
     low: FloatArray
     grain: FloatArray
     mask: BoolArray
+    face: BoolArray
 
     @staticmethod
     def of(plate: Plate, fronts: Fronts) -> "Stencil":
@@ -72,7 +75,9 @@ class Stencil:
             shown = inside
         elif plate.principal:
             add_strips(shown, slant.seen(plate.hinges), low, grain, inside)
-        return Stencil(slant, low, grain, shown | (_attached(shown, inside, beyond, fronts.pixel) & ~inside))
+        return Stencil(
+            slant, low, grain, shown | (_attached(shown, inside, beyond, fronts.pixel) & ~inside), inside
+        )
 
     @property
     def box(self) -> tuple[FloatArray, FloatArray]:

@@ -87,14 +87,13 @@ def test_asked_again_a_mechanism_is_drawn_the_same(depths):
 
 
 def test_of_what_is_alike_on_both_sides_half_of_the_views_tell_all():
-    views = Views.of(BOUNDS)
+    views, fronts = Views.of(BOUNDS), Fronts.of(scene(block((-47, -28, 0), (41, 28, 37))), BOUNDS, 0.7)
     mirror = Mirror.of(views)
-    depth, half = Drawing(views, Fronts.of(scene(*EVEN), BOUNDS, 0.7)).drawn([BOX], {})
+    depth, half = Drawing(views, fronts).drawn([BOX], {})
     assert half and len(depth) == len(mirror.once) < len(views.axes)
     assert mirror.weights.sum() == len(views.axes)
     whole = np.full((len(views.axes), views.pixels, views.pixels), np.inf)
     near = Sides.of(plates_together([BOX])["M"], even=True).plates
-    fronts = Fronts.of(scene(*EVEN), BOUNDS, 0.7)
     pictures = [
         picture for plate in near for picture in views.drawn(Stencil.of(plain(plate, across=False), fronts))
     ]

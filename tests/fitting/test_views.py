@@ -23,7 +23,8 @@ SLOPE = Slant.of(np.array([0.6, 0.0, 0.8]), np.array([40.0, 0.0, 10.0]))
 
 def whole(slant):
     """All of a plane over a square of 40 mm."""
-    return Stencil(slant, np.array([-20.0, -20.0]), np.array([1.0, 1.0]), np.ones((40, 40), dtype=bool))
+    every = np.ones((40, 40), dtype=bool)
+    return Stencil(slant, np.array([-20.0, -20.0]), np.array([1.0, 1.0]), every, every)
 
 
 def pixels_and_depths(views, stencil):
