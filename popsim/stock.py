@@ -46,6 +46,12 @@ THINNEST_STRIP = 2.0
 NEAR_EDGE = 1.5
 """mm; what ends so near to an edge or a hinge goes on to it: a gap beside it cannot be cut either."""
 
+MAY_CROSS = 0.5
+"""mm of a hinge beyond which two patches may both go on: on so little paper gives way."""
+
+RISEN_WORTH = 0.5
+"""What an area beyond a hinge counts that rises over a plate, beside one that lies: the far side shows it too."""
+
 HINGE_SHARE, HINGE_LENGTH = 0.25, 6.0
 """A hinge holds where it has this share of its line, and this many mm of it (or all of a shorter line)."""
 

@@ -11,7 +11,7 @@ import numpy as np
 from popsim.fitting.stencil import Stencil
 from popsim.geometry.arrays import BoolArray, FloatArray
 from popsim.mechanisms import Plate
-from popsim.patches.crossing import RISEN, TOUCH
+from popsim.stock import MAY_CROSS, RISEN_WORTH
 
 STRAIGHT = 1e-6
 """mm; hinges that leave the rows and columns of the cells by more are left alone."""
@@ -68,7 +68,7 @@ def overhangs(plate: Plate, stencil: Stencil) -> tuple[Overhang, ...]:
         if above == below or not touched.any():
             continue
         beyond = cells[first:last, :border] if above else cells[first:last, border:]
-        worth = beyond.sum(axis=1) * float(stencil.grain.prod()) * (1.0 if plate.lies else RISEN)
+        worth = beyond.sum(axis=1) * float(stencil.grain.prod()) * (1.0 if plate.lies else RISEN_WORTH)
         ends = line if line[0].tolist() < line[1].tolist() else line[::-1]
         length = float(np.linalg.norm(line[1] - line[0]))
         found.append(Overhang(ends.tobytes(), length, touched, worth, (along, first, last, border, above)))
@@ -98,7 +98,7 @@ def _cut(first: tuple[int, Overhang], second: tuple[int, Overhang]) -> list[tupl
     both = first[1].touched[places[0]] & second[1].touched[places[1]]
     found = []
     for start, stop in np.flatnonzero(np.diff(both, prepend=False, append=False)).reshape(-1, 2).tolist():
-        if (stop - start) * first[1].length / count > TOUCH:
+        if (stop - start) * first[1].length / count > MAY_CROSS:
             spans = [(int(own[start]), int(own[stop - 1]) + 1) for own in places]
             worths = [own.worth[low:high].sum() for (_, own), (low, high) in zip(pair, spans, strict=True)]
             least = int(worths[1] < worths[0])

@@ -12,7 +12,7 @@ from popsim.geometry.plane import line_distance
 from popsim.patches.clean import common, without
 from popsim.patches.hold import Run
 from popsim.patches.piece import Piece
-from popsim.stock import NEAR_EDGE
+from popsim.stock import MAY_CROSS, NEAR_EDGE, RISEN_WORTH
 
 if TYPE_CHECKING:
     from shapely.geometry import Polygon
@@ -24,14 +24,8 @@ REACH = 1e4
 GROOVE = 0.3
 """mm beyond the line at which paper counts as reaching beyond it."""
 
-RISEN = 0.5
-"""Worth of an area that rises over a plate, beside that of one that lies beyond it."""
-
 SAME_LINE = 1e-3
 """mm; axes nearer than this are on one line."""
-
-TOUCH = 0.5
-"""mm of line on which two patches may both reach beyond it."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -99,7 +93,7 @@ def _uncross(first: Run, second: Run) -> None:
     overhangs = [_overhang(run) for run in (first, second)]
     shared = touched(first, overhangs[0]).intersection(touched(second, overhangs[1]))
     for part in get_parts(shared):
-        if part.length <= TOUCH:
+        if part.length <= MAY_CROSS:
             continue
         low, high = part.bounds[0] - GROOVE, part.bounds[2] + GROOVE
         # places are counted from the start of the first run's axis, and both runs have the same axis
@@ -111,7 +105,7 @@ def _uncross(first: Run, second: Run) -> None:
 
 def _worth(run: Run) -> float:
     """What an overhang counts: what rises is shown by the far side too, what lies by nothing else."""
-    return 1.0 if run.piece.plate.lies else RISEN
+    return 1.0 if run.piece.plate.lies else RISEN_WORTH
 
 
 def _overhang(run: Run) -> "BaseGeometry":
