@@ -49,9 +49,6 @@ NEAR_EDGE = 1.5
 MAY_CROSS = 0.5
 """mm of a hinge beyond which two patches may both go on: on so little paper gives way."""
 
-RISEN_WORTH = 0.5
-"""What an area beyond a hinge counts that rises over a plate, beside one that lies: the far side shows it too."""
-
 HINGE_SHARE, HINGE_LENGTH = 0.25, 6.0
 """A hinge holds where it has this share of its line, and this many mm of it (or all of a shorter line)."""
 
@@ -59,6 +56,11 @@ HINGE_SHARE, HINGE_LENGTH = 0.25, 6.0
 def least_hold(length: float, share: float = HINGE_SHARE, least: float = HINGE_LENGTH) -> float:
     """How much of a line of some length must be held for its hinge to hold, in the unit of both lengths."""
     return min(length, max(least, share * length))
+
+
+def worth_beyond(*, lies: bool) -> float:
+    """What an area of a patch beyond its hinge counts: one that rises is shown by the far side too."""
+    return 1.0 if lies else 0.5
 
 
 CreaseAdvice = Literal["fold", "score", "perforate"]

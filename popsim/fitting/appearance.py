@@ -75,7 +75,7 @@ class Appearance:
 
     def look(self) -> None:
         """Look at the model now rather than when it is first asked for."""
-        _ = self._model, self._drawing
+        _ = self._distance, self._drawing
 
     @cached_property
     def _drawing(self) -> Drawing:

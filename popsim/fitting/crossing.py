@@ -8,17 +8,11 @@ from typing import NamedTuple
 
 import numpy as np
 
+from popsim.fitting.lines import Line, lines_among
 from popsim.fitting.stencil import Stencil
 from popsim.geometry.arrays import BoolArray, FloatArray
 from popsim.mechanisms import Plate
-from popsim.stock import MAY_CROSS, RISEN_WORTH
-
-STRAIGHT = 1e-6
-"""mm; hinges that leave the rows and columns of the cells by more are left alone."""
-
-Band = tuple[int, int, int, int, bool]
-"""Cells beyond a stretch of a hinge: the axis that runs along it, first and last place (exclusive) along that, the
-border that it lies on, and whether the face lies above that."""
+from popsim.stock import MAY_CROSS, worth_beyond
 
 
 class Overhang(NamedTuple):
@@ -34,15 +28,15 @@ class Overhang(NamedTuple):
         In which places along it something shows that goes on beyond it, shape (n,).
     worth:
         What shows beyond each of these places, mm^2 times what that counts, shape (n,).
-    band:
-        All cells beyond it.
+    cells:
+        The hinge among the cells of the stencil.
     """
 
     line: bytes
     length: float
     touched: BoolArray
     worth: FloatArray
-    band: Band
+    cells: Line
 
 
 def overhangs(plate: Plate, stencil: Stencil) -> tuple[Overhang, ...]:
@@ -51,47 +45,35 @@ def overhangs(plate: Plate, stencil: Stencil) -> tuple[Overhang, ...]:
     if not over.any():
         return ()
     found = []
-    seen = (stencil.slant.seen(plate.hinges) - stencil.low) / stencil.grain
-    for line, ((s0, t0), (s1, t1)) in zip(plate.hinges, seen.tolist(), strict=True):
-        if abs(t1 - t0) * stencil.grain[1] < STRAIGHT:
-            along, span, at, cells, face = 0, (s0, s1), t0, over, stencil.face
-        elif abs(s1 - s0) * stencil.grain[0] < STRAIGHT:
-            along, span, at, cells, face = 1, (t0, t1), s0, over.T, stencil.face.T
-        else:
-            continue
-        first, last, border = max(round(min(span)), 0), round(max(span)), round(at)
-        if last <= first or not 0 < border < cells.shape[1]:
-            continue
-        middle = (first + last) // 2
-        above, below = bool(face[middle, border]), bool(face[middle, border - 1])
-        touched = cells[first:last, border - 1 if above else border]
-        if above == below or not touched.any():
-            continue
-        beyond = cells[first:last, :border] if above else cells[first:last, border:]
-        worth = beyond.sum(axis=1) * float(stencil.grain.prod()) * (1.0 if plate.lies else RISEN_WORTH)
-        ends = line if line[0].tolist() < line[1].tolist() else line[::-1]
-        length = float(np.linalg.norm(line[1] - line[0]))
-        found.append(Overhang(ends.tobytes(), length, touched, worth, (along, first, last, border, above)))
+    seen = stencil.slant.seen(plate.hinges)
+    counts = float(stencil.grain.prod()) * worth_beyond(lies=plate.lies)
+    for place, line in lines_among(seen, stencil.low, stencil.grain, stencil.face):
+        beyond = line.beyond(over)
+        if beyond[:, 0].any():
+            start, end = plate.hinges[place]
+            ends = plate.hinges[place] if start.tolist() < end.tolist() else plate.hinges[place, ::-1]
+            length = float(np.linalg.norm(end - start))
+            found.append(Overhang(ends.tobytes(), length, beyond[:, 0], counts * beyond.sum(axis=1), line))
     return tuple(found)
 
 
-def crossed(plates: Sequence[tuple[Overhang, ...]]) -> Mapping[int, tuple[Band, ...]]:
-    """Of the overhangs of some plates the bands that will be cut away, by the places of the plates."""
+def crossed(plates: Sequence[tuple[Overhang, ...]]) -> Mapping[int, tuple[Line, ...]]:
+    """Stretches of hinges beyond which plates will be cut away, by the places of the plates."""
     lines: dict[bytes, list[tuple[int, Overhang]]] = {}
     for place, own in enumerate(plates):
         for overhang in own:
             lines.setdefault(overhang.line, []).append((place, overhang))
-    cut: dict[int, tuple[Band, ...]] = {}
+    cut: dict[int, tuple[Line, ...]] = {}
     for hinged in lines.values():
         for number, first in enumerate(hinged):
             for second in hinged[number + 1 :]:
-                for place, band in _cut(first, second):
-                    cut[place] = (*cut.get(place, ()), band)
+                for place, line in _cut(first, second):
+                    cut[place] = (*cut.get(place, ()), line)
     return cut
 
 
-def _cut(first: tuple[int, Overhang], second: tuple[int, Overhang]) -> list[tuple[int, Band]]:
-    """Of two plates that are hinged to each other those bands of less worth where both go on beyond the hinge."""
+def _cut(first: tuple[int, Overhang], second: tuple[int, Overhang]) -> list[tuple[int, Line]]:
+    """Where two plates both go on beyond their hinge: which of them shows less there, and its stretches of it."""
     pair = (first, second)
     count = max(len(overhang.touched) for _, overhang in pair)
     places = [((np.arange(count) + 0.5) * len(own.touched) / count).astype(int) for _, own in pair]
@@ -103,18 +85,17 @@ def _cut(first: tuple[int, Overhang], second: tuple[int, Overhang]) -> list[tupl
             worths = [own.worth[low:high].sum() for (_, own), (low, high) in zip(pair, spans, strict=True)]
             least = int(worths[1] < worths[0])
             place, overhang = pair[least]
-            along, low, _, border, above = overhang.band
-            found.append((place, (along, low + spans[least][0], low + spans[least][1], border, above)))
+            low, high = (overhang.cells.first + end for end in spans[least])
+            found.append((place, overhang.cells._replace(first=low, last=high)))
     return found
 
 
-def without(stencil: Stencil, bands: Sequence[Band]) -> Stencil:
-    """A stencil that shows nothing in some bands but in its face."""
-    if not bands:
+def without(stencil: Stencil, lines: Sequence[Line]) -> Stencil:
+    """A stencil that shows nothing beyond some lines but in its face."""
+    if not lines:
         return stencil
     mask = stencil.mask.copy()
-    for along, first, last, border, above in bands:
-        cells, face = (mask, stencil.face) if along == 0 else (mask.T, stencil.face.T)
-        band = slice(first, last), slice(None, border) if above else slice(border, None)
-        cells[band] &= face[band]
+    for line in lines:
+        cells = line.beyond(mask)
+        cells &= line.beyond(stencil.face)
     return Stencil(stencil.slant, stencil.low, stencil.grain, mask, stencil.face)

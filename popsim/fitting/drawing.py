@@ -5,8 +5,9 @@ from typing import TypeVar
 
 import numpy as np
 
-from popsim.fitting.crossing import Band, Overhang, crossed, overhangs, without
+from popsim.fitting.crossing import Overhang, crossed, overhangs, without
 from popsim.fitting.fronts import Fronts
+from popsim.fitting.lines import Line
 from popsim.fitting.masks import FAR, FloatImage
 from popsim.fitting.mirror import Mirror, Sides, lies_beyond, plain, same_on_both_sides, shape_of
 from popsim.fitting.stencil import Stencil
@@ -34,7 +35,7 @@ class Drawing:
     def __init__(self, views: Views, fronts: Fronts) -> None:
         self.views, self.fronts = views, fronts
         self.mirror = Mirror.of(views) if same_on_both_sides(fronts) else None
-        self.plates: dict[tuple[bytes, tuple[Band, ...]], list[Drawn]] = {}
+        self.plates: dict[tuple[bytes, tuple[Line, ...]], list[Drawn]] = {}
         self.stencils: dict[bytes, tuple[Stencil, tuple[Overhang, ...]]] = {}
         self.wholes: dict[tuple[bytes, ...], list[Drawn]] = {}
         self.asked: set[tuple[bytes, ...]] = set()
@@ -86,8 +87,8 @@ class Drawing:
                 found += self.picture(plate, cut.get(place, ()))
         return found
 
-    def picture(self, plate: Plate, cut: tuple[Band, ...] = ()) -> list[Drawn]:
-        """A plate in all views, with some bands cut away; it depends on nothing but its shape."""
+    def picture(self, plate: Plate, cut: tuple[Line, ...] = ()) -> list[Drawn]:
+        """A plate in all views, with nothing beyond some lines; it depends on nothing but its shape."""
         across = self._across(plate)
         key = shape_of(plate, across=across), cut
         found = self.plates.get(key)

@@ -2,11 +2,9 @@
 
 import numpy as np
 
+from popsim.fitting.lines import lines_among
 from popsim.geometry.arrays import BoolArray, FloatArray, IntArray
 from popsim.stock import HINGE_LENGTH, NEAR_EDGE, least_hold
-
-STRAIGHT = 1e-6
-"""mm; lines that leave the rows and columns of the cells by more are left alone."""
 
 
 def add_strips(shown: BoolArray, lines: FloatArray, low: FloatArray, grain: FloatArray, inside: BoolArray) -> None:
@@ -26,25 +24,13 @@ def add_strips(shown: BoolArray, lines: FloatArray, low: FloatArray, grain: Floa
     inside:
         Cells in the face, shape (n, m).
     """
-    for (s0, t0), (s1, t1) in ((lines - low) / grain).tolist():
-        if abs(t1 - t0) * grain[1] < STRAIGHT:
-            _hold(shown, inside, (s0, s1), t0, float(grain[0]))
-        elif abs(s1 - s0) * grain[0] < STRAIGHT:
-            _hold(shown.T, inside.T, (t0, t1), s0, float(grain[1]))
+    for _, line in lines_among(lines, low, grain, inside):
+        _hold(line.inward(shown), line.inward(inside), float(grain[line.along]))
 
 
-def _hold(shown: BoolArray, inside: BoolArray, span: tuple[float, float], at: float, side: float) -> None:
-    """Hold a line that runs along the first axis of the cells, between two of their borders, at a border."""
-    first, last = (max(round(end), 0) for end in sorted(span))
-    border = round(at)
-    if last <= first or not 0 < border < shown.shape[1]:
-        return
-    middle = (first + last) // 2
-    above, below = bool(inside[middle, border]), bool(inside[middle, border - 1])
-    if above == below:
-        return
-    cells = shown[first:last, border:] if above else shown[first:last, border - 1 :: -1]
-    needed = int(np.ceil(least_hold(last - first, least=HINGE_LENGTH / side)))
+def _hold(cells: BoolArray, face: BoolArray, side: float) -> None:
+    """Hold a line by what shows and what the face has, by place along the line and distance from it."""
+    needed = int(np.ceil(least_hold(len(cells), least=HINGE_LENGTH / side)))
     seam = max(round(NEAR_EDGE / side), 1)
     if seam < cells.shape[1] and np.count_nonzero(cells[:, seam]) >= needed:
         return
@@ -52,7 +38,6 @@ def _hold(shown: BoolArray, inside: BoolArray, span: tuple[float, float], at: fl
     if np.count_nonzero(deep == 0) >= needed:
         return
     nearest = np.lexsort((_aside(deep), deep))[:needed]
-    face = inside[first:last, border:] if above else inside[first:last, border - 1 :: -1]
     cells[nearest] |= face[nearest] & (np.arange(cells.shape[1]) < deep[nearest][:, None])
 
 

@@ -12,7 +12,7 @@ from popsim.geometry.plane import line_distance
 from popsim.patches.clean import common, without
 from popsim.patches.hold import Run
 from popsim.patches.piece import Piece
-from popsim.stock import MAY_CROSS, NEAR_EDGE, RISEN_WORTH
+from popsim.stock import MAY_CROSS, NEAR_EDGE, worth_beyond
 
 if TYPE_CHECKING:
     from shapely.geometry import Polygon
@@ -99,13 +99,8 @@ def _uncross(first: Run, second: Run) -> None:
         # places are counted from the start of the first run's axis, and both runs have the same axis
         bands = [common(over, _band(run, low, high)) for run, over in zip((first, second), overhangs, strict=True)]
         both = zip((first, second), bands, strict=True)
-        run, band = min(both, key=lambda pair: _worth(pair[0]) * pair[1].area)
+        run, band = min(both, key=lambda pair: worth_beyond(lies=pair[0].piece.plate.lies) * pair[1].area)
         run.piece.shape = without(run.piece.shape, band)
-
-
-def _worth(run: Run) -> float:
-    """What an overhang counts: what rises is shown by the far side too, what lies by nothing else."""
-    return 1.0 if run.piece.plate.lies else RISEN_WORTH
 
 
 def _overhang(run: Run) -> "BaseGeometry":
