@@ -17,6 +17,7 @@ $(VENV)/.ready: pyproject.toml constraints.txt
 	  || { echo "Python's venv module is missing: install it first (Debian: sudo apt-get install python3-venv)" >&2; exit 2; }
 	test -x $(BIN)/python || $(PYTHON) -m venv $(VENV)
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt -e '.[dev]'
+	$(BIN)/python -m popsim.fitting.kernels
 	touch $@
 
 demo: setup

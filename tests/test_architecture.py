@@ -10,7 +10,7 @@ ROOT = Path(__file__).resolve().parent.parent / "popsim"
 
 STOREYS = [
     {"errors", ""},
-    {"files", "units", "stock", "beside", "wording"},
+    {"files", "units", "stock", "beside", "garbage", "wording"},
     {"geometry"},
     {"design"},
     {"mechanisms"},
@@ -33,6 +33,7 @@ ROOMS = {
     "pyrender": {"rendering"},
     "OpenGL": {"rendering"},
     "embreex": {"rendering"},
+    "numba": {"fitting"},
     "cv2": {"fitting", "patches", "rendering"},
     "reportlab": {"export"},
     "yaml": {"pipeline"},

@@ -4,14 +4,13 @@ Contours are cut so (:mod:`popsim.patches.crossing`), stretch by stretch of the 
 """
 
 from collections.abc import Mapping, Sequence
+from math import dist
 from typing import NamedTuple
 
-import numpy as np
-
-from popsim.fitting.lines import Line, lines_among
+from popsim.fitting.lines import Line
+from popsim.fitting.shape import Shape
 from popsim.fitting.stencil import Stencil
-from popsim.geometry.arrays import BoolArray, FloatArray
-from popsim.mechanisms import Plate
+from popsim.geometry.arrays import IntArray
 from popsim.stock import MAY_CROSS, worth_beyond
 
 
@@ -21,45 +20,44 @@ class Overhang(NamedTuple):
     Attributes
     ----------
     line:
-        Ends of the hinge, mm, the lesser first, shape (2, 3) as bytes: the same for both plates.
+        Ends of the hinge, mm, the lesser first, six numbers: the same for both plates.
     length:
         Of the hinge, mm.
-    touched:
-        In which places along it something shows that goes on beyond it, shape (n,).
+    counts:
+        In each place along it, how many cells show something beyond, where that touches it, shape (n,).
     worth:
-        What shows beyond each of these places, mm^2 times what that counts, shape (n,).
+        Of a cell, mm^2 times what that counts.
     cells:
         The hinge among the cells of the stencil.
     """
 
-    line: bytes
+    line: tuple[float, ...]
     length: float
-    touched: BoolArray
-    worth: FloatArray
+    counts: IntArray
+    worth: float
     cells: Line
 
 
-def overhangs(plate: Plate, stencil: Stencil) -> tuple[Overhang, ...]:
+def overhangs(plate: Shape, stencil: Stencil) -> tuple[Overhang, ...]:
     """What a plate shows beyond its hinges, as far as it touches them there."""
-    over = stencil.mask & ~stencil.face
-    if not over.any():
-        return ()
-    found = []
+    from popsim.fitting.kernels.hinges import overhangs as counted
+
     seen = stencil.slant.seen(plate.hinges)
-    counts = float(stencil.grain.prod()) * worth_beyond(lies=plate.lies)
-    for place, line in lines_among(seen, stencil.low, stencil.grain, stencil.face):
-        beyond = line.beyond(over)
-        if beyond[:, 0].any():
-            start, end = plate.hinges[place]
-            ends = plate.hinges[place] if start.tolist() < end.tolist() else plate.hinges[place, ::-1]
-            length = float(np.linalg.norm(end - start))
-            found.append(Overhang(ends.tobytes(), length, beyond[:, 0], counts * beyond.sum(axis=1), line))
+    lines, counts = counted(seen, stencil.low, stencil.grain, stencil.face, stencil.mask)
+    if not len(lines):
+        return ()
+    each = float(stencil.grain.prod()) * worth_beyond(lies=plate.lies)
+    found = []
+    for (place, along, first, last, border, above), count in zip(lines.tolist(), counts, strict=True):
+        line = Line(along, first, last, border, bool(above))
+        start, end = sorted(plate.hinges[place].tolist())
+        found.append(Overhang((*start, *end), dist(start, end), count[: last - first], each, line))
     return tuple(found)
 
 
 def crossed(plates: Sequence[tuple[Overhang, ...]]) -> Mapping[int, tuple[Line, ...]]:
     """Stretches of hinges beyond which plates will be cut away, by the places of the plates."""
-    lines: dict[bytes, list[tuple[int, Overhang]]] = {}
+    lines: dict[tuple[float, ...], list[tuple[int, Overhang]]] = {}
     for place, own in enumerate(plates):
         for overhang in own:
             lines.setdefault(overhang.line, []).append((place, overhang))
@@ -74,19 +72,16 @@ def crossed(plates: Sequence[tuple[Overhang, ...]]) -> Mapping[int, tuple[Line, 
 
 def _cut(first: tuple[int, Overhang], second: tuple[int, Overhang]) -> list[tuple[int, Line]]:
     """Where two plates both go on beyond their hinge: which of them shows less there, and its stretches of it."""
-    pair = (first, second)
-    count = max(len(overhang.touched) for _, overhang in pair)
-    places = [((np.arange(count) + 0.5) * len(own.touched) / count).astype(int) for _, own in pair]
-    both = first[1].touched[places[0]] & second[1].touched[places[1]]
+    from popsim.fitting.kernels.hinges import crossings
+
+    one, other = first[1], second[1]
     found = []
-    for start, stop in np.flatnonzero(np.diff(both, prepend=False, append=False)).reshape(-1, 2).tolist():
-        if (stop - start) * first[1].length / count > MAY_CROSS:
-            spans = [(int(own[start]), int(own[stop - 1]) + 1) for own in places]
-            worths = [own.worth[low:high].sum() for (_, own), (low, high) in zip(pair, spans, strict=True)]
-            least = int(worths[1] < worths[0])
-            place, overhang = pair[least]
-            low, high = (overhang.cells.first + end for end in spans[least])
-            found.append((place, overhang.cells._replace(first=low, last=high)))
+    for least, start, stop in crossings(
+        one.counts, other.counts, one.worth, other.worth, one.length, MAY_CROSS
+    ).tolist():
+        place, overhang = (first, second)[least]
+        line = overhang.cells
+        found.append((place, line._replace(first=line.first + start, last=line.first + stop)))
     return found
 
 

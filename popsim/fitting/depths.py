@@ -30,13 +30,23 @@ def deepened(state: Candidate, value: Value) -> Candidate:
         state = state.with_depths(index, {})
     score = value(state)
     for index in range(len(state.nodes)):
-        for roles in _groups(plates_of(state.mechanisms[index])):
+        for plates in _groups(plates_of(state.mechanisms[index])):
+            roles = [plate.role for plate in plates]
             for which, factors in enumerate((BEHIND, BESIDE)):
-                tries = [_changed(state, index, roles, which, factor) for factor in factors]
-                for changed, found in value.ahead(tries):
+                if not _matters(plates, which):
+                    continue
+                for changed in [_changed(state, index, roles, which, factor) for factor in factors]:
+                    found = value(changed)
                     if found > score + BETTER:
                         state, score = changed, found
     return state
+
+
+def _matters(plates: Sequence[Plate], which: int) -> bool:
+    """Whether the depth behind faces (0) of any of some plates, or that beyond them (1), tells what they show."""
+    if which == 0:
+        return any(plate.principal for plate in plates)
+    return any(plate.room is not None and not np.array_equal(plate.outline, plate.room) for plate in plates)
 
 
 def _changed(state: Candidate, index: int, roles: Sequence[str], which: int, factor: float) -> Candidate:
@@ -48,17 +58,18 @@ def _changed(state: Candidate, index: int, roles: Sequence[str], which: int, fac
     return state.with_depths(index, known)
 
 
-def _groups(plates: Sequence[Plate]) -> Iterator[list[str]]:
-    """Roles of plates whose depths are chosen together."""
+def _groups(plates: Sequence[Plate]) -> Iterator[list[Plate]]:
+    """Plates whose depths are chosen together."""
     seen = set()
     for same in (_on_one_axis, _in_one_plane):
         left = list(plates)
         while left:
-            roles = tuple(plate.role for plate in left if same(left[0], plate))
+            group = [plate for plate in left if same(left[0], plate)]
+            roles = frozenset(plate.role for plate in group)
             left = [plate for plate in left if plate.role not in roles]
             if roles not in seen:
                 seen.add(roles)
-                yield list(roles)
+                yield group
 
 
 def _on_one_axis(first: Plate, second: Plate) -> bool:

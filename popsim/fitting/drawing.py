@@ -7,14 +7,15 @@ import numpy as np
 
 from popsim.fitting.crossing import Overhang, crossed, overhangs, without
 from popsim.fitting.fronts import Fronts
+from popsim.fitting.kernels.records import FloatImage
 from popsim.fitting.lines import Line
-from popsim.fitting.masks import FAR, FloatImage
-from popsim.fitting.mirror import Mirror, Sides, lies_beyond, plain, same_on_both_sides, shape_of
+from popsim.fitting.mirror import Mirror, Sides, lies_beyond, same_on_both_sides
+from popsim.fitting.shape import shape_of
 from popsim.fitting.stencil import Stencil
-from popsim.fitting.views import Drawn, Views, flattened
+from popsim.fitting.views import Picture, Views
 from popsim.mechanisms import Depths, Mechanism, Plate, plates_together
 
-PLATES, STENCILS, MECHANISMS = 4000, 1000, 64
+PLATES, STENCILS, MECHANISMS = 4000, 2000, 64
 """How many pictures of plates, stencils and pictures of mechanisms are remembered; candidates differ in few."""
 
 Key = TypeVar("Key", bound=Hashable)
@@ -35,10 +36,9 @@ class Drawing:
     def __init__(self, views: Views, fronts: Fronts) -> None:
         self.views, self.fronts = views, fronts
         self.mirror = Mirror.of(views) if same_on_both_sides(fronts) else None
-        self.plates: dict[tuple[bytes, tuple[Line, ...]], list[Drawn]] = {}
+        self.plates: dict[tuple[bytes, tuple[Line, ...]], Picture] = {}
         self.stencils: dict[bytes, tuple[Stencil, tuple[Overhang, ...]]] = {}
-        self.wholes: dict[tuple[bytes, ...], list[Drawn]] = {}
-        self.asked: set[tuple[bytes, ...]] = set()
+        self.wholes: dict[tuple[bytes, ...], list[Picture]] = {}
 
     def drawn(self, mechanisms: Sequence[Mechanism], depths: Depths) -> tuple[FloatImage, bool]:
         """Draw mechanisms with factors on the depths of their plates.
@@ -52,45 +52,42 @@ class Drawing:
         together = plates_together(mechanisms, depths).values()
         every = [Sides.of(plates, even=self.mirror is not None) for plates in together]
         uneven = [sides for sides in every if not sides.even]
-        depth = np.full((len(self.views.axes), self.views.pixels, self.views.pixels), FAR)
+        depth = self.views.nothing()
         self._draw([sides for sides in every if sides.even], depth)
         if self.mirror is not None:
-            depth = self.mirror.both(depth, range(len(depth)) if uneven else self.mirror.once)
+            depth = self.mirror.both(depth, np.arange(len(depth)) if uneven else self.mirror.once)
         self._draw(uneven, depth)
         return depth, self.mirror is not None and not uneven
 
     def _draw(self, mechanisms: Sequence[Sides], depth: FloatImage) -> None:
-        for sides in mechanisms:
-            for view, rows, columns, there in self._whole(sides):
-                part = depth[view, rows, columns]
-                np.minimum(part, there, out=part)
+        from popsim.fitting.kernels.pictures import paint
 
-    def _whole(self, sides: Sides) -> list[Drawn]:
-        """All plates of a mechanism; as one picture for each view from the second time on."""
+        for sides in mechanisms:
+            for picture in self._whole(sides):
+                paint(depth, *picture)
+
+    def _whole(self, sides: Sides) -> list[Picture]:
+        """All plates of a mechanism."""
         found = self.wholes.get(sides.key)
         if found is None:
             found = self._pictures(sides.plates)
-            if sides.key in self.asked:
-                found = flattened(found)
-                _keep(self.wholes, sides.key, found, MECHANISMS)
-            self.asked.add(sides.key)
+            _keep(self.wholes, sides.key, found, MECHANISMS)
         return found
 
-    def _pictures(self, plates: Sequence[Plate]) -> list[Drawn]:
+    def _pictures(self, plates: Sequence[Plate]) -> list[Picture]:
         """The plates of a mechanism in all views; of two that cross beyond a hinge one ends there."""
         across = [self._across(plate) for plate in plates]
-        found: list[Drawn] = []
+        found = []
         for side in sorted(set(across)):
             own = [plate for plate, other in zip(plates, across, strict=True) if other is side]
             cut = crossed([self._stencil(plate)[1] for plate in own])
-            for place, plate in enumerate(own):
-                found += self.picture(plate, cut.get(place, ()))
+            found += [self.picture(plate, cut.get(place, ())) for place, plate in enumerate(own)]
         return found
 
-    def picture(self, plate: Plate, cut: tuple[Line, ...] = ()) -> list[Drawn]:
+    def picture(self, plate: Plate, cut: tuple[Line, ...] = ()) -> Picture:
         """A plate in all views, with nothing beyond some lines; it depends on nothing but its shape."""
         across = self._across(plate)
-        key = shape_of(plate, across=across), cut
+        key = shape_of(plate, across=across).key, cut
         found = self.plates.get(key)
         if found is None:
             found = self.views.drawn(without(self._stencil(plate)[0], cut))
@@ -99,14 +96,12 @@ class Drawing:
 
     def _stencil(self, plate: Plate) -> tuple[Stencil, tuple[Overhang, ...]]:
         """Where a plate, or its mirror image where that is drawn, shows the model, and beyond which hinges."""
-        across = self._across(plate)
-        key = shape_of(plate, across=across)
-        found = self.stencils.get(key)
+        shape = shape_of(plate, across=self._across(plate))
+        found = self.stencils.get(shape.key)
         if found is None:
-            own = plain(plate, across=across)
-            stencil = Stencil.of(own, self.fronts)
-            found = stencil, overhangs(own, stencil)
-            _keep(self.stencils, key, found, STENCILS)
+            stencil = Stencil.of(shape, self.fronts)
+            found = stencil, overhangs(shape, stencil)
+            _keep(self.stencils, shape.key, found, STENCILS)
         return found
 
     def _across(self, plate: Plate) -> bool:

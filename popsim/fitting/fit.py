@@ -13,6 +13,7 @@ from popsim.fitting.scale import scaled_node
 from popsim.fitting.search import search
 from popsim.fitting.settings import FitSettings
 from popsim.fitting.subject import Subject
+from popsim.garbage import seldom_collected
 from popsim.mechanisms import Depths, Mechanism, Primitive
 
 
@@ -106,6 +107,7 @@ def fit(subject: Subject, settings: FitSettings | None = None) -> Fit:
     return fit_best([subject], settings)[1]
 
 
+@seldom_collected()
 def fit_best(subjects: Sequence[Subject], settings: FitSettings | None = None) -> tuple[int, Fit]:
     """Abstract a model that may stand over the fold in several ways, the one that shows most of it.
 

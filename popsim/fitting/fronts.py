@@ -1,10 +1,12 @@
 """The model seen along the three axes from both ends: what the contours of plates will be cut after."""
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from popsim.fitting.kernels.records import Ends
 from popsim.fitting.slant import ACROSS
 from popsim.geometry.arrays import FloatArray
 
@@ -58,23 +60,20 @@ class Fronts:
             maps.append((ends[0], ends[1]))
         return Fronts(bounds, pixel, tuple(maps), start)
 
-    def reach(self, axis: int, sign: int, s: FloatArray, t: FloatArray) -> FloatArray:
-        """How far out the model reaches towards an end of an axis, as in `maps`, over a grid.
+    def ends(self, axis: int, sign: int) -> Ends:
+        """How far out the model reaches along an axis (0 x, 1 y, 2 z), seen from its high (1) or low (-1) end."""
+        return self._ends[axis][0 if sign > 0 else 1]
 
-        Parameters
-        ----------
-        axis, sign:
-            0 x, 1 y, 2 z; 1 for its high end, -1 for its low one.
-        s, t:
-            Coordinates along the other axes of the rows and columns of the grid, shapes (r,) and (c,).
-
-        Returns
-        -------
-        numpy.ndarray
-            Shape (r, c).
-        """
-        found = self.maps[axis][0 if sign > 0 else 1]
-        for place, (across, values) in enumerate(zip(ACROSS[axis], (s, t), strict=True)):
-            cells = np.floor((values - self.start[across]) / self.pixel).astype(np.int64) + 1
-            found = found.take(cells, axis=place, mode="clip")
-        return found
+    @cached_property
+    def _ends(self) -> tuple[tuple[Ends, Ends], ...]:
+        found = []
+        for axis, (high, low) in enumerate(self.maps):
+            across = list(ACROSS[axis])
+            bounds, start = self.bounds[:, across].copy(), self.start[across]
+            found.append(
+                (
+                    Ends(bounds, start, self.pixel, near=high, far=low, sign=1),
+                    Ends(bounds, start, self.pixel, near=low, far=high, sign=-1),
+                )
+            )
+        return tuple(found)

@@ -2,9 +2,10 @@
 
 import numpy as np
 
-from popsim.fitting.masks import parts
-from popsim.geometry.arrays import BoolArray, FloatArray
-from popsim.mechanisms import Plate
+from popsim.fitting.kernels.records import Held
+from popsim.fitting.shape import Shape
+from popsim.geometry.arrays import BoolArray, IntArray
+from popsim.rendering.opencv import opencv
 from popsim.rendering.set_back import SET_BACK, Face, legs_among
 
 ACROSS = 0.99
@@ -15,28 +16,27 @@ LEAST = 2
 """Cells; smaller parts belong to their neighbours."""
 
 
-def legs(plate: Plate, behind: FloatArray, shown: BoolArray, inside: BoolArray) -> BoolArray:
-    """Cells of a stencil that show parts standing back beneath nearer ones.
+def legs(plate: Shape, own: Held) -> BoolArray | None:
+    """Cells of a plate, held against a model, that show parts standing back beneath nearer ones; None for none.
 
-    Parameters
-    ----------
-    plate:
-        The plate.
-    behind:
-        How deep behind it the model lies, mm, shape (n, m), the second axis upward.
-    shown, inside:
-        Where that is near enough to show, and what the face covers, shape (n, m).
+    The second axis of the cells leads upward.
     """
-    nothing = np.zeros(shown.shape, dtype=bool)
     if not plate.principal or abs(plate.outward[0]) < ACROSS:
-        return nothing
-    deep = shown & (behind > SET_BACK * plate.behind)
+        return None
+    shown = own.face | own.beyond
+    deep = shown & (own.behind > SET_BACK * plate.behind)
     if not deep.any():
-        return nothing
-    depth = np.where(shown, behind, np.inf).T[::-1]
-    labels = parts(deep)[1].T[::-1]
-    found = legs_among(labels, depth, _face(inside.T[::-1]), lambda part: bool(part.sum() >= LEAST))
-    return np.ascontiguousarray(found[::-1].T)
+        return None
+    depth = np.where(shown, own.behind, np.inf).T[::-1]
+    labels = _parts(deep).T[::-1]
+    found = legs_among(labels, depth, _face(own.inside.T[::-1]), lambda part: bool(part.sum() >= LEAST))
+    return np.ascontiguousarray(found[::-1].T) if found.any() else None
+
+
+def _parts(mask: BoolArray) -> IntArray:
+    """Parts of a mask that hang together by the sides of cells, by number; 0 for the rest."""
+    labels: IntArray = opencv().connectedComponents(mask.view(np.uint8), connectivity=4)[1]
+    return labels
 
 
 def _face(inside: BoolArray) -> Face:

@@ -1,6 +1,5 @@
 """Models that are the same on both sides of the fold: what a plate shows there is worked out on one side only."""
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from typing import NamedTuple
@@ -8,9 +7,10 @@ from typing import NamedTuple
 import numpy as np
 
 from popsim.fitting.fronts import Fronts
-from popsim.fitting.masks import FloatImage
-from popsim.fitting.views import Drawn, Views
-from popsim.geometry.arrays import FloatArray
+from popsim.fitting.kernels.records import FloatImage
+from popsim.fitting.shape import ACROSS, shape_of
+from popsim.fitting.views import Picture, Views
+from popsim.geometry.arrays import FloatArray, IntArray
 from popsim.mechanisms import Plate
 
 UNLIKE = 0.005
@@ -19,14 +19,8 @@ UNLIKE = 0.005
 CENTRED = 1e-6
 """By how much, as a share of its size, a box may lie off the fold and still count as the same on both sides."""
 
-DIGITS = 6
-"""Decimals of mm by which corners are told apart."""
-
 ON_FOLD = 1e-6
 """mm; corners nearer to the plane over the fold lie in it."""
-
-ACROSS = np.array([1.0, -1.0, 1.0])
-"""Takes points to the other side of the fold."""
 
 
 def same_on_both_sides(fronts: Fronts) -> bool:
@@ -54,63 +48,25 @@ def _unlike(one: FloatArray, other: FloatArray, pixel: float) -> int:
     return int(np.count_nonzero((shown != also) | (shown & also & apart)))
 
 
+@lru_cache(maxsize=8192)
 def lies_beyond(plate: Plate) -> bool:
     """Whether a plate lies on the far side of the fold (y < 0), for the greater part."""
     return bool(plate.outline[:, 1].sum() < 0)
 
 
-def shape_of(plate: Plate, *, across: bool) -> bytes:
-    """What tells a plate from others by how it shows a model, or its mirror image where `across`."""
-    return b"".join(_listed(plate, across))
-
-
-def plain(plate: Plate, *, across: bool) -> Plate:
-    """A plate, or its mirror image, as its shape tells: the same for all of one shape."""
-    outline, room, outward, hinges, rest = (np.frombuffer(part) for part in _listed(plate, across))
-    return plate.but(
-        outline=outline.reshape(-1, 3),
-        room=room.reshape(-1, 3),
-        outward=outward,
-        hinges=hinges.reshape(-1, 2, 3),
-        behind=float(rest[0]),
-        beside=float(rest[1]),
-    )
-
-
-@lru_cache(maxsize=8192)
-def _listed(plate: Plate, across: bool) -> tuple[bytes, ...]:
-    """Outline, room, outward, hinges and the rest of a plate, rounded and listed in one way."""
-    assert plate.room is not None  # plates give themselves room
-    places = np.concatenate([plate.outline, plate.room, plate.hinges.reshape(-1, 3), plate.outward[None]])
-    points = (np.round(places * ACROSS if across else places, DIGITS) + 0.0).tolist()
-    first, second = len(plate.outline), len(plate.outline) + len(plate.room)
-    ends = points[second:-1]
-    hinges = sorted({(*low, *high) for low, high in (sorted(ends[k : k + 2]) for k in range(0, len(ends), 2))})
-    rest = round(plate.behind, DIGITS), round(plate.beside, DIGITS), float(plate.principal)
-    parts = _ring(points[:first]), _ring(points[first:second]), points[-1], hinges, rest
-    return tuple(np.array(part, dtype=np.float64).tobytes() for part in parts)
-
-
-def _ring(corners: list[list[float]]) -> list[list[float]]:
-    """Corners of a ring from its least one on, to the side of the lesser neighbour: whatever way it is listed."""
-    first = corners.index(min(corners))
-    turned = corners[first:] + corners[:first]
-    return [turned[0], *turned[:0:-1]] if turned[-1] < turned[1] else turned
-
-
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Mirror:
     """Pictures of one side of the fold turned into those of the other.
 
     Attributes
     ----------
     views:
-        For each view the one that sees its mirror image, left and right exchanged.
+        For each view the one that sees its mirror image, left and right exchanged, shape (v,).
     pixels:
         Of a row.
     """
 
-    views: tuple[int, ...]
+    views: IntArray
     pixels: int
 
     @staticmethod
@@ -118,34 +74,29 @@ class Mirror:
         """For views of a box that is the same on both sides of the fold."""
         eyes = views.axes[:, 2]
         apart = np.linalg.norm(eyes[:, None] - eyes * ACROSS, axis=-1)
-        return Mirror(tuple(int(view) for view in apart.argmin(axis=1)), views.pixels)
+        return Mirror(apart.argmin(axis=1), views.pixels)
 
     @cached_property
-    def once(self) -> tuple[int, ...]:
-        """Views of which no other is the mirror image: they tell all of what is the same on both sides."""
-        return tuple(view for view, other in enumerate(self.views) if view <= other)
+    def once(self) -> IntArray:
+        """Views of which no other is the mirror image: they tell all of what is the same on both sides, (k,)."""
+        return np.flatnonzero(np.arange(len(self.views)) <= self.views)
 
     @cached_property
     def weights(self) -> FloatArray:
         """For how many views each of these stands, shape (k,)."""
-        return np.array([1.0 if self.views[view] == view else 2.0 for view in self.once])
+        return np.where(self.views[self.once] == self.once, 1.0, 2.0)
 
-    def image(self, pictures: list[Drawn]) -> list[Drawn]:
-        """The pictures of what is on the other side."""
-        return [
-            Drawn(
-                self.views[view],
-                rows,
-                slice(self.pixels - columns.stop, self.pixels - columns.start),
-                depth[:, ::-1],
-            )
-            for view, rows, columns, depth in pictures
-        ]
+    def image(self, picture: Picture) -> Picture:
+        """The picture of what is on the other side."""
+        from popsim.fitting.kernels.pictures import mirrored
 
-    def both(self, near: FloatImage, views: Sequence[int]) -> FloatImage:
-        """Depths of what is on both sides in some views, from those (views, n, n) of one side in all."""
-        images = near[[self.views[view] for view in views], :, ::-1]
-        return np.minimum(near[list(views)], images, out=images)
+        return Picture(*mirrored(*picture, self.views, self.pixels))
+
+    def both(self, near: FloatImage, views: IntArray) -> FloatImage:
+        """Some views of what is on both sides, shape (k, n, n), from all views (v, n, n) of one side."""
+        from popsim.fitting.kernels.pictures import both_sides
+
+        return both_sides(near, views, self.views)
 
 
 class Sides(NamedTuple):
@@ -169,8 +120,8 @@ class Sides(NamedTuple):
     @lru_cache(maxsize=2048)
     def of(plates: tuple[Plate, ...], *, even: bool) -> "Sides":
         """The sides of a mechanism, beside a model that may be `even`, the same on both sides of the fold."""
-        near = {shape_of(plate, across=False): plate for plate in plates if not (even and lies_beyond(plate))}
-        far = {shape_of(plate, across=True): plate for plate in plates if even and lies_beyond(plate)}
+        near = {shape_of(plate, across=False).key: plate for plate in plates if not (even and lies_beyond(plate))}
+        far = {shape_of(plate, across=True).key: plate for plate in plates if even and lies_beyond(plate)}
         if (
             even
             and far.keys() <= near.keys()

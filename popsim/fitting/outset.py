@@ -62,12 +62,12 @@ class Outset:
     @cached_property
     def coarse(self) -> Appearance:
         """How candidates appear beside the model."""
-        return _seen(self.subject, 1)
+        return Appearance(self.subject.scene, self.subject.bounds)
 
     @cached_property
     def fine(self) -> Appearance:
         """The same with more pixels."""
-        return _seen(self.subject, FINE)
+        return Appearance(self.subject.scene, self.subject.bounds, FINE)
 
     @cached_property
     def value(self) -> Value:
@@ -110,10 +110,3 @@ class Outset:
             return overall - self.settings.patch_likeness * candidate.patches
 
         return valued(work)
-
-
-def _seen(subject: Subject, fineness: int) -> Appearance:
-    """A model, looked at now: a second process can then do without rays."""
-    appearance = Appearance(subject.scene, subject.bounds, fineness)
-    appearance.look()
-    return appearance

@@ -1,12 +1,10 @@
 """Climbing from an abstraction to one that looks more like its model."""
 
-from collections.abc import Callable, Iterator, Sequence
-from contextlib import closing
-from itertools import islice
+from collections.abc import Callable, Sequence
 
 from popsim.fitting.candidate import Candidate
 from popsim.fitting.greedy import Grower
-from popsim.fitting.lookahead import Known
+from popsim.fitting.known import Known
 from popsim.fitting.moves import Move, moves
 
 STEPS = (4.0, 1.5, 0.6)
@@ -68,28 +66,24 @@ class Climber:
         self, state: Candidate, ways: Sequence[Move], step: float, score: float, budget: int
     ) -> tuple[int, tuple[int, Candidate, float] | None]:
         """How many changes were evaluated, and the first that improves: its place, what it leads to, its value."""
-        places: list[int] = []
-
-        def tries() -> Iterator[Candidate]:
-            for place, way in enumerate(ways):
-                changed = way.made(state, step * self.grower.volume.cell, self._snapped)
-                if changed is not None:
-                    places.append(place)
-                    yield changed
-
         count = 0
-        with closing(self.value.ahead(islice(tries(), budget))) as valued:
-            for changed, found in valued:
-                count += 1
-                if found > score + BETTER and changed.holds():
-                    return count, (places[count - 1], changed, found)
+        for place, way in enumerate(ways):
+            if count == budget:
+                break
+            changed = way.made(state, step * self.grower.volume.cell, self._snapped)
+            if changed is None:
+                continue
+            count += 1
+            found = self.value(changed)
+            if found > score + BETTER and changed.holds():
+                return count, (place, changed, found)
         return count, None
 
     def _added(self, state: Candidate) -> Candidate | None:
         """The best valid state with one more prism, if it is better."""
         least = self.value(state) + BETTER
-        valued = self.value.ahead(self.grower.additions(state))
-        better = [(found, more) for more, found in valued if found > least]
+        valued = ((self.value(more), more) for more in self.grower.additions(state))
+        better = [(found, more) for found, more in valued if found > least]
         ranked = sorted(better, key=lambda entry: -entry[0])
         return next((more for _, more in ranked if more.holds()), None)
 

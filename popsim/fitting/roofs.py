@@ -25,7 +25,8 @@ def propose_roof(spot: Spot) -> Proposal | None:
     across = np.concatenate([np.zeros((len(spot.gain), 1, high)), spot.gain.cumsum(axis=1)], axis=1)
     columns = np.zeros((len(spot.gain), len(halves), len(heights)))
     for level in range(high):
-        columns += across[:, reach[:, :, level], level]
+        over = int(np.searchsorted(heights, level, side="right"))  # lower ones do not reach it
+        columns[:, :, over:] += across[:, reach[:, over:, level], level]
     gain, first, last = best_run(columns)
     t, h = (int(k) for k in np.unravel_index(int(gain.argmax()), gain.shape))
     if not gain[t, h] > 0:

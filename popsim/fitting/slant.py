@@ -7,7 +7,10 @@ import numpy as np
 from popsim.geometry.arrays import FloatArray
 
 ACROSS = ((1, 2), (0, 2), (0, 1))
-"""The other two axes, by axis."""
+"""The other two axes, by axis,"""
+
+SEEN = (slice(1, 3), slice(0, 3, 2), slice(0, 2))
+"""and how they lie in a row of three."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -47,8 +50,8 @@ class Slant:
         return normal
 
     def seen(self, points: FloatArray) -> FloatArray:
-        """Coordinates s and t of points (..., 3); shape (..., 2)."""
-        return np.asarray(points[..., ACROSS[self.axis]])
+        """Coordinates s and t of points (..., 3); shape (..., 2), a view."""
+        return np.asarray(points[..., SEEN[self.axis]])
 
     def along(self, s: FloatArray, t: FloatArray) -> FloatArray:
         """Coordinate along the axis; any shapes that broadcast."""

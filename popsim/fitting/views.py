@@ -1,16 +1,15 @@
 """Pixels of nine parallel views of the open card, and where they meet a plane."""
 
-from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
 
-from popsim.fitting.masks import FAR, FloatImage, drawn
+from popsim.fitting.kernels.records import Facing, FloatImage
 from popsim.fitting.slant import ACROSS, Slant
 from popsim.fitting.stencil import Stencil
-from popsim.geometry.arrays import FloatArray
+from popsim.geometry.arrays import FloatArray, IntArray
 
 PIXELS = 96
 """Pixels along the diagonal of the model, in each view."""
@@ -77,38 +76,27 @@ class Views:
         directions = np.broadcast_to(-eye, origins.shape)
         return origins.reshape(-1, 3), directions.reshape(-1, 3)
 
-    def drawn(self, stencil: Stencil) -> "list[Drawn]":
+    def drawn(self, stencil: Stencil) -> "Picture":
         """Draw a stencil into all views that see its plane."""
-        slant, (least, most) = stencil.slant, stencil.box
-        faced = self._facing(slant)
-        origin = faced.origin + slant.level * faced.rise
-        middle, half = faced.turn @ ((least + most) / 2) + origin, faced.spread @ ((most - least) / 2)
-        ends = np.rint(np.array([middle - half, middle + half]))
-        low, high = np.minimum(np.maximum(ends, 0.0), self.pixels)
-        cells = np.empty((len(low), 2, 3))  # columns of the stencil first
-        cells[:, :, :2] = faced.back[:, ::-1] / stencil.grain[::-1, None]
-        first = (faced.back @ (low + 0.5 - origin)[:, :, None])[:, ::-1, 0]
-        cells[:, :, 2] = (first - stencil.low[::-1]) / stencil.grain[::-1] - 0.5
-        nearest = faced.depth - slant.level * faced.height - (faced.deepening * origin).sum(axis=1)
-        spans = np.concatenate([low, high], axis=1).astype(np.int64).tolist()
-        found, picture = [], stencil.picture
-        for k, ((x0, y0, x1, y1), near) in enumerate(zip(spans, nearest.astype(np.float32), strict=True)):
-            if x0 < x1 and y0 < y1:
-                depth = drawn(picture, (y1 - y0, x1 - x0), cells[k])
-                depth += faced.across[k][x0:x1] + near
-                depth += faced.up[k][y0:y1]
-                found.append(Drawn(faced.views[k], slice(y0, y1), slice(x0, x1), depth))
-        return found
+        from popsim.fitting.kernels.pictures import drawn
 
-    def _facing(self, slant: Slant) -> "Facing":
+        slant = stencil.slant
+        facing = self._facing(slant)
+        return Picture(*drawn(stencil.mask, stencil.low, stencil.grain, slant.level, facing, self.pixels))
+
+    def nothing(self) -> FloatImage:
+        """Views in which nothing shows, shape (views, pixels, pixels)."""
+        return np.full((len(self.axes), self.pixels, self.pixels), np.inf, dtype=np.float32)
+
+    def _facing(self, slant: Slant) -> Facing:
         """How the views see planes of one slope; there are few slopes."""
         key = slant.axis, *slant.slopes
         if key not in self._facings:
-            self._facings[key] = Facing.of(self, slant)
+            self._facings[key] = _faced(self, slant)
         return self._facings[key]
 
     @cached_property
-    def _facings(self) -> dict[tuple[float, ...], "Facing"]:
+    def _facings(self) -> dict[tuple[float, ...], Facing]:
         return {}
 
     @cached_property
@@ -117,93 +105,40 @@ class Views:
         return np.arange(self.pixels, dtype=np.float64) + 0.5
 
 
-class Drawn(NamedTuple):
-    """A rectangle of pixels of a view, and how far from the origins of their rays something shows in them.
+def _faced(views: Views, slant: Slant) -> Facing:
+    """How views see the planes of the slope of one."""
+    equation = slant.equation
+    cosine = views.axes[:, 2] @ equation / np.linalg.norm(equation)
+    faced = np.flatnonzero(np.abs(cosine) > EDGE_ON)
+    axes, scale = views.axes[faced], views.pixels / views.diagonal
+    steps = np.zeros((3, 2))
+    steps[list(ACROSS[slant.axis]), (0, 1)] = 1.0
+    steps[slant.axis] = slant.slopes
+    turn = axes[:, :2] @ steps * scale
+    back = np.linalg.inv(turn).astype(np.float64)
+    return Facing(
+        faced,
+        turn,
+        origin=views.pixels / 2 - axes[:, :2] @ views.centre * scale,
+        rise=axes[:, :2, slant.axis] * scale,
+        back=back,
+        depth=views.diagonal + axes[:, 2] @ views.centre,
+        height=axes[:, 2, slant.axis].copy(),
+        deepening=-(axes[:, 2:] @ steps @ back)[:, 0],
+    )
+
+
+class Picture(NamedTuple):
+    """What shows in rectangles of views.
 
     Attributes
     ----------
-    view:
-        Index of the view.
-    rows, columns:
-        Its pixels.
+    spans:
+        Of each rectangle its view, first row, the one after the last, and the same of columns, shape (k, 5).
     depth:
-        mm, inf where nothing shows, shape (rows, columns).
+        How far from the origins of their rays something shows in their pixels, mm, inf where nothing does:
+        rectangle after rectangle, row after row, shape (n,).
     """
 
-    view: int
-    rows: slice
-    columns: slice
+    spans: IntArray
     depth: FloatImage
-
-
-class Facing(NamedTuple):
-    """How views see the planes of one slope, by the coordinates s and t of a slant.
-
-    Attributes
-    ----------
-    views:
-        Those that do not see them edge on, shape (v,).
-    turn, origin, rise:
-        The column and row of a point are ``turn @ (s, t) + origin + level * rise``; shapes (v, 2, 2), (v, 2) and
-        (v, 2).
-    spread:
-        The same as `turn` without signs: columns and rows over which a rectangle spreads.
-    back:
-        Inverse of `turn`, shape (v, 2, 2).
-    depth, height, deepening:
-        A point is ``depth - level * height + deepening @ (pixel - origin - level * rise)`` from the origin of its
-        ray, mm; shapes (v,), (v,), (v, 2).
-    across, up:
-        By how much it deepens up to each column, mm, shapes (pixels,), and up to each row, shapes (pixels, 1).
-    """
-
-    views: list[int]
-    turn: FloatArray
-    spread: FloatArray
-    origin: FloatArray
-    rise: FloatArray
-    back: FloatArray
-    depth: FloatArray
-    height: FloatArray
-    deepening: FloatArray
-    across: list[FloatImage]
-    up: list[FloatImage]
-
-    @staticmethod
-    def of(views: Views, slant: Slant) -> "Facing":
-        """All of this for one slope."""
-        equation = slant.equation
-        cosine = views.axes[:, 2] @ equation / np.linalg.norm(equation)
-        faced = np.flatnonzero(np.abs(cosine) > EDGE_ON)
-        axes, scale = views.axes[faced], views.pixels / views.diagonal
-        steps = np.zeros((3, 2))
-        steps[list(ACROSS[slant.axis]), (0, 1)] = 1.0
-        steps[slant.axis] = slant.slopes
-        turn = axes[:, :2] @ steps * scale
-        back = np.linalg.inv(turn).astype(np.float64)
-        deepening = -(axes[:, 2:] @ steps @ back)[:, 0]
-        origin = views.pixels / 2 - axes[:, :2] @ views.centre * scale
-        depth = views.diagonal + axes[:, 2] @ views.centre
-        rise, height = axes[:, :2, slant.axis] * scale, axes[:, 2, slant.axis]
-        across, up = (deepening[:, :, None] * views.centres).astype(np.float32).swapaxes(0, 1)
-        ramps = list(across), list(up[:, :, None])
-        return Facing(faced.tolist(), turn, np.abs(turn), origin, rise, back, depth, height, deepening, *ramps)
-
-
-def flattened(pictures: Iterable[Drawn]) -> list[Drawn]:
-    """Rectangles of views as one for each view: what is nearest in each pixel."""
-    views: dict[int, list[Drawn]] = {}
-    for picture in pictures:
-        views.setdefault(picture.view, []).append(picture)
-    return [own[0] if len(own) == 1 else _nearest(own) for own in views.values()]
-
-
-def _nearest(pictures: Sequence[Drawn]) -> Drawn:
-    """Rectangles of one view as one."""
-    top, left = (min(span.start for span in spans) for spans in zip(*(own[1:3] for own in pictures), strict=True))
-    end, right = (max(span.stop for span in spans) for spans in zip(*(own[1:3] for own in pictures), strict=True))
-    depth = np.full((end - top, right - left), FAR)
-    for _, rows, columns, there in pictures:
-        part = depth[rows.start - top : rows.stop - top, columns.start - left : columns.stop - left]
-        np.minimum(part, there, out=part)
-    return Drawn(pictures[0].view, slice(top, end), slice(left, right), depth)

@@ -38,13 +38,17 @@ def plates_together(mechanisms: Sequence[Mechanism], depths: Depths = AS_THEY_AR
         How much deeper than by themselves plates show the model.
     """
     ranges = _subtree_ranges(mechanisms)
+    carried: dict[str | None, list[Mechanism]] = {}
+    on_pair: dict[tuple[str, str], list[Mechanism]] = {}
+    for mechanism in mechanisms:
+        carried.setdefault(mechanism.pair.owner, []).append(mechanism)
+        on_pair.setdefault(mechanism.pair.patches, []).append(mechanism)
     found = {}
     for owner in mechanisms:
-        carried = [other for other in mechanisms if other.pair.owner == owner.id]
-        corners = tuple(other for other in carried if other.pair.kind is PairKind.CORNER)
-        above = tuple((*ranges[it.id], it.pair.v) for it in carried if it.pair.kind is PairKind.OPENING)
-        pair = owner.pair.patches
-        beside = tuple(ranges[it.id] for it in mechanisms if it is not owner and it.pair.patches == pair)
+        own = carried.get(owner.id, ())
+        corners = tuple(other for other in own if other.pair.kind is PairKind.CORNER)
+        above = tuple((*ranges[it.id], it.pair.v) for it in own if it.pair.kind is PairKind.OPENING)
+        beside = tuple(ranges[it.id] for it in on_pair[owner.pair.patches] if it is not owner)
         plates = _fitted(owner, corners, beside, above)
         found[owner.id] = tuple(
             _deepened(plate, *depths.get(owner.patch_id(plate.role), (1.0, 1.0))) for plate in plates

@@ -62,3 +62,14 @@ def subject_of(shape: Surface) -> Subject:
     scene = RayScene(shape)
     points = spread(samples, shape.bounds, 1000, 0)
     return Subject(scene, shape.bounds, measure_volume(scene, shape.bounds), planes, points)
+
+
+def painted(views, pictures):
+    """Pictures put into views, shape (views, n, n); inf where nothing shows."""
+    image = np.full((len(views.axes), views.pixels, views.pixels), np.inf)
+    for spans, depth in pictures:
+        parts = np.split(depth, np.cumsum((spans[:, 2] - spans[:, 1]) * (spans[:, 4] - spans[:, 3])))
+        for (view, top, end, left, right), part in zip(spans, parts, strict=False):
+            own = image[view, top:end, left:right]
+            np.minimum(own, part.reshape(own.shape), out=own)
+    return image

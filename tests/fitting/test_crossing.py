@@ -2,12 +2,13 @@
 
 import numpy as np
 import pytest
-from fitting_surfaces import block, surface
+from fitting_surfaces import block, painted, surface
 
 from popsim.design import Card
 from popsim.fitting.crossing import crossed, overhangs, without
 from popsim.fitting.drawing import Drawing
 from popsim.fitting.fronts import Fronts
+from popsim.fitting.shape import shape_of
 from popsim.fitting.stencil import Stencil
 from popsim.fitting.views import Views
 from popsim.mechanisms import card_pair, plates_of
@@ -33,7 +34,8 @@ def fins(along, across, foot=0.0):
 
 
 def stencils(scene):
-    plates = [next(plate for plate in plates_of(BOX) if plate.role == role) for role in ROLES]
+    found = {plate.role: shape_of(plate, across=False) for plate in plates_of(BOX)}
+    plates = [found[role] for role in ROLES]
     return plates, [Stencil.of(plate, Fronts.of(scene, BOUNDS, 1.0)) for plate in plates]
 
 
@@ -74,10 +76,7 @@ def test_what_is_drawn_ends_there_too():
     drawing = Drawing(views, Fronts.of(scene, BOUNDS, 1.0))
     assert drawing.mirror is None
     depth, _ = drawing.drawn([BOX], {})
-    bare = np.full_like(depth, np.inf)
-    for plate in plates_of(BOX):
-        for view, rows, columns, there in drawing.picture(plate):
-            bare[view, rows, columns] = np.minimum(bare[view, rows, columns], there)
+    bare = painted(views, [drawing.picture(plate) for plate in plates_of(BOX)])
     fewer = np.isfinite(bare).sum(axis=(1, 2)) - np.isfinite(depth).sum(axis=(1, 2))
     whole = stencils(scene)[1][1]
     ear = whole.mask.sum() - without(whole, bands(scene)[1]).mask.sum()

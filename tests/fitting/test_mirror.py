@@ -4,13 +4,14 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from fitting_surfaces import block, surface
+from fitting_surfaces import block, painted, surface
 
 from popsim.design import Card
 from popsim.fitting.appearance import Appearance
 from popsim.fitting.drawing import Drawing
 from popsim.fitting.fronts import Fronts
-from popsim.fitting.mirror import Mirror, Sides, lies_beyond, plain, same_on_both_sides, shape_of
+from popsim.fitting.mirror import Mirror, Sides, lies_beyond, same_on_both_sides
+from popsim.fitting.shape import ACROSS, shape_of
 from popsim.fitting.stencil import Stencil
 from popsim.fitting.views import Views
 from popsim.mechanisms import card_pair, plates_together
@@ -29,13 +30,6 @@ def scene(*parts) -> RayScene:
     return RayScene(surface(*parts))
 
 
-def drawn(views: Views, pictures) -> np.ndarray:
-    depth = np.full((len(views.axes), views.pixels, views.pixels), np.inf)
-    for view, rows, columns, there in pictures:
-        depth[view, rows, columns] = there
-    return depth
-
-
 def test_what_stands_on_one_side_only_is_noticed():
     assert same_on_both_sides(Fronts.of(scene(*EVEN), BOUNDS, 0.7))
     assert not same_on_both_sides(Fronts.of(scene(*EVEN, PIPE), BOUNDS, 0.7))
@@ -51,8 +45,8 @@ def test_the_image_of_a_picture_is_the_picture_of_the_image(role):
     views = Views.of(BOUNDS)
     fronts = Fronts.of(scene(*EVEN), BOUNDS, 0.7)
     plate = PLATES[ROLES.index(role)]
-    image = drawn(views, Mirror.of(views).image(views.drawn(Stencil.of(plate, fronts))))
-    other = drawn(views, views.drawn(Stencil.of(plain(plate, across=True), fronts)))
+    near, far = (views.drawn(Stencil.of(shape_of(plate, across=across), fronts)) for across in (False, True))
+    image, other = painted(views, [Mirror.of(views).image(near)]), painted(views, [far])
     shown, also = np.isfinite(image), np.isfinite(other)
     assert (shown != also).sum() <= 0.02 * max(shown.sum(), 1)
     both = shown & also
@@ -92,14 +86,10 @@ def test_of_what_is_alike_on_both_sides_half_of_the_views_tell_all():
     depth, half = Drawing(views, fronts).drawn([BOX], {})
     assert half and len(depth) == len(mirror.once) < len(views.axes)
     assert mirror.weights.sum() == len(views.axes)
-    whole = np.full((len(views.axes), views.pixels, views.pixels), np.inf)
     near = Sides.of(plates_together([BOX])["M"], even=True).plates
-    pictures = [
-        picture for plate in near for picture in views.drawn(Stencil.of(plain(plate, across=False), fronts))
-    ]
-    for view, rows, columns, there in [*pictures, *mirror.image(pictures)]:
-        whole[view, rows, columns] = np.minimum(whole[view, rows, columns], there)
-    assert np.array_equal(depth, whole[list(mirror.once)])
+    pictures = [views.drawn(Stencil.of(shape_of(plate, across=False), fronts)) for plate in near]
+    whole = painted(views, [*pictures, *map(mirror.image, pictures)])
+    assert np.array_equal(depth, whole[mirror.once])
 
 
 def test_a_likeness_is_nearly_that_of_looking_at_both_sides(monkeypatch):
@@ -113,12 +103,13 @@ def test_a_likeness_is_nearly_that_of_looking_at_both_sides(monkeypatch):
 def test_a_shape_does_not_depend_on_how_its_corners_are_listed():
     plate = next(plate for plate in PLATES if len(plate.room) > 3)
     listed = replace(plate, outline=np.roll(plate.outline[::-1], 2, axis=0), room=np.roll(plate.room, 1, axis=0))
-    assert shape_of(listed, across=False) == shape_of(plate, across=False)
-    image = plain(plate, across=True)
-    assert shape_of(image, across=True) == shape_of(plate, across=False) != shape_of(image, across=False)
-    assert np.array_equal(plain(listed, across=False).room, plain(plate, across=False).room)
+    own, again = shape_of(plate, across=False), shape_of(listed, across=False)
+    assert again.key == own.key and np.array_equal(again.room, own.room)
+    image, back = shape_of(plate, across=True), plate.but(outline=plate.outline * ACROSS, room=plate.room * ACROSS)
+    back = back.but(outward=plate.outward * ACROSS, hinges=plate.hinges * ACROSS)
+    assert shape_of(back, across=True).key == own.key != image.key == shape_of(back, across=False).key
     for other in (
         replace(plate, outline=plate.outline + np.array([0.01, 0, 0])),
         replace(plate, behind=plate.behind + 1),
     ):
-        assert shape_of(other, across=False) != shape_of(plate, across=False)
+        assert shape_of(other, across=False).key != own.key

@@ -3,10 +3,16 @@
 import numpy as np
 import pytest
 from fitting_surfaces import block, surface
+from hypothesis import given
+from hypothesis import strategies as st
+from hypothesis.extra.numpy import array_shapes, arrays
+from scipy.ndimage import binary_dilation, label
 
 from popsim.design import Card
 from popsim.fitting.fronts import Fronts
-from popsim.fitting.stencil import Stencil, within
+from popsim.fitting.kernels.cells import grown, grown_by, reached, square_around, within
+from popsim.fitting.shape import shape_of
+from popsim.fitting.stencil import Stencil
 from popsim.mechanisms import card_pair, plates_of
 from popsim.mechanisms.box_fold import BoxFold
 from popsim.patches import PatchSettings
@@ -20,7 +26,7 @@ BODY = block((-50, -30, 0), (50, 30, 40))
 
 def stencil_of(role, *parts):
     plate = next(plate for plate in plates_of(BOX) if plate.role == role)
-    return Stencil.of(plate, Fronts.of(RayScene(surface(*parts)), BOUNDS, 1.0))
+    return Stencil.of(shape_of(plate, across=False), Fronts.of(RayScene(surface(*parts)), BOUNDS, 1.0))
 
 
 def shows(role, points, *parts):
@@ -94,9 +100,24 @@ def test_a_backbone_shows_what_either_side_hides_unless_one_sees_through():
 def test_points_lie_within_rectangles_and_others_alike(turn):
     ring = np.array([[-4, -2], [4, -2], [4, 2], [-4, 2.0]])
     matrix = np.array([[np.cos(turn), np.sin(turn)], [-np.sin(turn), np.cos(turn)]])
-    points = np.random.default_rng(1).uniform(-6, 6, (400, 2))
-    inside = (np.abs(points) < [4, 2]).all(axis=1)
-    assert (within(*(points @ matrix).T, ring @ matrix) == inside).all()
+    s, t = (np.sort(values) for values in np.random.default_rng(1).uniform(-6, 6, (2, 60)))
+    points = np.stack(np.meshgrid(s, t, indexing="ij"), axis=-1)
+    inside = (np.abs(points @ matrix.T) < [4, 2]).all(axis=-1)
+    assert (within(s, t, ring @ matrix) == inside).all() and 0 < inside.sum() < inside.size
+
+
+@given(arrays(bool, array_shapes(min_dims=2, max_dims=2, max_side=9)), st.integers(0, 3))
+def test_masks_grow_and_fill_as_scipy_has_it(mask, steps):
+    assert (grown(mask) == binary_dilation(mask)).all()
+    assert (grown_by(mask, steps) == (binary_dilation(mask, iterations=steps) if steps else mask)).all()
+    square = binary_dilation(mask, np.ones((2 * steps + 1, 2 * steps + 1)))
+    assert (square_around(mask, steps) == square).all()
+
+
+@given(arrays(bool, (7, 9)), arrays(bool, (7, 9)))
+def test_what_hangs_together_with_seeds_is_what_scipy_labels_so(free, seeds):
+    labels = label(free)[0]
+    assert (reached(free, seeds) == (free & np.isin(labels, labels[seeds & free]))).all()
 
 
 BONNET = block((-50, -30, 10), (50, 30, 40))

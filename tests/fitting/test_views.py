@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from fitting_surfaces import block, surface
+from fitting_surfaces import block, painted, surface
 
 from popsim.design import Card
 from popsim.fitting.appearance import Appearance
@@ -29,9 +29,7 @@ def whole(slant):
 
 def pixels_and_depths(views, stencil):
     """Pixels of all views in which a stencil shows, in the order of their rays, and how far it is in them."""
-    depth = np.full((len(views.axes), views.pixels, views.pixels), np.inf)
-    for view, rows, columns, there in views.drawn(stencil):
-        depth[view, rows, columns] = there
+    depth = painted(views, [views.drawn(stencil)])
     pixels = np.flatnonzero(np.isfinite(depth))
     return pixels, depth.ravel()[pixels]
 
@@ -68,13 +66,11 @@ def test_a_plane_seen_edge_on_has_no_pixels():
 
 @pytest.mark.parametrize(("axis", "sign"), [(0, 1), (0, -1), (1, 1), (1, -1), (2, 1)])
 def test_fronts_tell_how_far_out_the_model_reaches(axis, sign):
-    fronts = Fronts.of(SCENE, BOUNDS, 1.0)
-    first, second = (k for k in range(3) if k != axis)
-    ends = BOUNDS[:, [first, second]]
-    found = fronts.reach(
-        axis, sign, ends.mean(axis=0)[:1], np.array([ends[0, 1] - 9, ends[:, 1].mean(), ends[1, 1] + 9])
-    )
-    assert found == pytest.approx(np.array([[-np.inf, sign * BOUNDS[int(sign > 0), axis], -np.inf]]), abs=1e-3)
+    ends = Fronts.of(SCENE, BOUNDS, 1.0).ends(axis, sign)
+    middle, edge = np.array(ends.near.shape) // 2, (ends.near[0, 0], ends.near[-1, -1])
+    assert ends.near[tuple(middle)] == pytest.approx(sign * BOUNDS[int(sign > 0), axis], abs=1e-3)
+    assert ends.far[tuple(middle)] == pytest.approx(-sign * BOUNDS[int(sign < 0), axis], abs=1e-3)
+    assert edge == (-np.inf, -np.inf) and ends.sign == sign
 
 
 def test_the_box_of_a_box_is_all_like_it_and_a_smaller_one_is_less():

@@ -1,0 +1,226 @@
+"""What plates show of a model, cell by cell (:class:`popsim.fitting.stencil.Stencil`)."""
+
+import numpy as np
+
+from popsim.fitting.kernels.cells import divided, grown, grown_by, reached, square_around, within
+from popsim.fitting.kernels.compiled import compiled
+from popsim.fitting.kernels.hinges import add_strips
+from popsim.fitting.kernels.records import Ends, Held
+from popsim.geometry.arrays import BoolArray, FloatArray, IntArray
+from popsim.stock import NEAR_EDGE, THINNEST_STRIP
+
+SPARSE = 0.05
+"""A face on which the model shows on less than this share stays whole: its hinges need paper to hold. A ring or a
+lattice shows on more."""
+
+MARGIN = 2
+"""Cells around all that can show; the outermost ones show nothing."""
+
+
+@compiled
+def held(
+    outline: FloatArray,
+    room: FloatArray,
+    ends: Ends,
+    plane: tuple[float, float, float],
+    depths: tuple[float, float],
+    principal: bool,
+) -> Held:
+    """Hold a plate against a model.
+
+    Parameters
+    ----------
+    outline, room:
+        Its face and the room of its contours, in the coordinates s and t of its slant, mm, shapes (n, 2), (k, 2).
+    ends:
+        The model along the axis that it faces most.
+    plane:
+        Its coordinate along that axis is ``plane[0] + plane[1] * s + plane[2] * t``.
+    depths:
+        How deep behind its face, and in its room beyond, the model shows on it, mm.
+    principal:
+        Of others the face shows what both sides hide.
+    """
+    starts, sides = np.empty(2), np.empty(2)
+    s0, side, s = divided(outline[:, 0], room[:, 0], ends.bounds[0, 0], ends.bounds[1, 0], ends.pixel, MARGIN)
+    starts[0], sides[0] = s0, side
+    t0, side, t = divided(outline[:, 1], room[:, 1], ends.bounds[0, 1], ends.bounds[1, 1], ends.pixel, MARGIN)
+    starts[1], sides[1] = t0, side
+    inside, free = within(s, t, outline), within(s, t, room)
+    rows = _pixels(s, ends.start[0], ends.pixel, ends.near.shape[0])
+    columns = _pixels(t, ends.start[1], ends.pixel, ends.near.shape[1])
+    face, beyond = np.zeros(inside.shape, np.bool_), np.zeros(inside.shape, np.bool_)
+    there, behind = np.zeros(inside.shape, np.bool_), np.empty(inside.shape)
+    for i in range(len(s)):
+        level = plane[0] + plane[1] * s[i]
+        for j in range(len(t)):
+            behind[i, j] = np.inf
+            if not (inside[i, j] or free[i, j]):
+                continue
+            place = ends.sign * (level + plane[2] * t[j])
+            deep = place - ends.near[rows[i], columns[j]]
+            other = -place - ends.far[rows[i], columns[j]]
+            behind[i, j] = deep
+            if inside[i, j]:
+                there[i, j] = deep < np.inf or (not principal and other < np.inf)
+                face[i, j] = deep <= depths[0] and deep < np.inf if principal else max(deep, other) < np.inf
+            else:
+                beyond[i, j] = deep <= depths[1] and deep < np.inf and (principal or other <= depths[1])
+    return Held(starts, sides, s, t, inside, face, beyond, there, behind)
+
+
+@compiled
+def _pixels(places: FloatArray, start: float, pixel: float, count: int) -> IntArray:
+    """Which of some pixels, or of those at the ends, hold places, shape (n,)."""
+    found = np.empty(len(places), np.int64)
+    for k in range(len(places)):
+        found[k] = min(max(int(np.floor((places[k] - start) / pixel)) + 1, 0), count - 1)
+    return found
+
+
+@compiled
+def shown(
+    own: Held,
+    side: float,
+    hinges: FloatArray,
+    principal: bool,
+    walls: tuple[bool, int, float],
+) -> BoolArray:
+    """Cells in which a plate shows the model, shape (n, m).
+
+    Parameters
+    ----------
+    own:
+        How it is held against the model.
+    side:
+        Of cells, about, mm.
+    hinges:
+        Ends of its hinges in the coordinates s and t, mm, shape (k, 2, 2).
+    principal:
+        Whether it is.
+    walls:
+        Whether it stands upright; the coordinate (0 s, 1 t) that leads over the fold, -1 where it does not go on
+        there; and on which side of the fold it lies.
+    """
+    found = _to_the_edge(own, max(round(NEAR_EDGE / side), 1))
+    if _any_but(own.there, own.face):
+        closed = grown(own.beyond)
+        _join(closed, found)
+        _wall_up(closed, own, walls)
+        _fill(found, closed, own)
+    if principal:
+        if counted(found) < SPARSE * counted(own.inside):
+            _join(found, own.inside)
+        else:
+            add_strips(found, hinges, own.low, own.grain, own.inside)
+    steps = max(round(THINNEST_STRIP / side) - 1, 1)
+    if _any_but(own.beyond, grown_by(own.inside, steps)):
+        _join(found, _attached(found, own, steps))
+    return found
+
+
+@compiled
+def counted(mask: BoolArray) -> int:
+    """How many cells a mask holds."""
+    count = 0
+    for i in range(mask.shape[0]):
+        for j in range(mask.shape[1]):
+            count += mask[i, j]
+    return count
+
+
+@compiled
+def _any_but(mask: BoolArray, other: BoolArray) -> bool:
+    """Whether a mask holds any cell that another one does not."""
+    for i in range(mask.shape[0]):
+        for j in range(mask.shape[1]):
+            if mask[i, j] and not other[i, j]:
+                return True
+    return False
+
+
+@compiled
+def _join(mask: BoolArray, other: BoolArray) -> None:
+    """Add the cells of another mask to one."""
+    for i in range(mask.shape[0]):
+        for j in range(mask.shape[1]):
+            mask[i, j] |= other[i, j]
+
+
+@compiled
+def _to_the_edge(own: Held, steps: int) -> BoolArray:
+    """What a face shows, and the cells from there to its border where that is near: hinges need paper."""
+    rows, columns = own.inside.shape
+    outside = np.empty((rows, columns), np.bool_)
+    for i in range(rows):
+        for j in range(columns):
+            outside[i, j] = not own.inside[i, j]
+    found, border = grown_by(own.face, steps), grown_by(outside, steps)
+    for i in range(rows):
+        for j in range(columns):
+            found[i, j] = own.face[i, j] or (own.inside[i, j] and border[i, j] and found[i, j])
+    return found
+
+
+@compiled
+def _fill(found: BoolArray, closed: BoolArray, own: Held) -> None:
+    """Add the dents of a face from which no way leads out between closed cells."""
+    rows, columns = closed.shape
+    ways, border = np.empty(closed.shape, np.bool_), np.empty(closed.shape, np.bool_)
+    for i in range(rows):
+        for j in range(columns):
+            ways[i, j] = not closed[i, j]
+            border[i, j] = i in (0, rows - 1) or j in (0, columns - 1)
+    out = reached(ways, border)
+    for i in range(rows):
+        for j in range(columns):
+            found[i, j] |= own.there[i, j] and not own.face[i, j] and not out[i, j]
+
+
+@compiled
+def _wall_up(closed: BoolArray, own: Held, walls: tuple[bool, int, float]) -> None:
+    """Close the cells at the foot of an upright face, and those over the fold, where it goes on beyond."""
+    upright, coordinate, sign = walls
+    first, last, least, most = extent(own.inside)
+    if last <= first:
+        return
+    if upright:
+        closed[first:last, max(least - 1, 0)] = True
+    if coordinate < 0:
+        return
+    for i in range(max(first - 1, 0), min(last + 1, closed.shape[0])):
+        for j in range(max(least - 1, 0), min(most + 1, closed.shape[1])):
+            corner = not first <= i < last and not least <= j < most
+            if not corner and sign * (own.s[i] if coordinate == 0 else own.t[j]) <= 0:
+                closed[i, j] = True
+
+
+@compiled
+def extent(mask: BoolArray) -> tuple[int, int, int, int]:
+    """First row in which a mask (n, m) holds anything, the one after the last, and the same of columns."""
+    first, last, least, most = mask.shape[0], 0, mask.shape[1], 0
+    for i in range(mask.shape[0]):
+        for j in range(mask.shape[1]):
+            if mask[i, j]:
+                first, last, least, most = min(first, i), i + 1, min(least, j), max(most, j + 1)
+    return first, last, least, most
+
+
+@compiled
+def _attached(found: BoolArray, own: Held, steps: int) -> BoolArray:
+    """What hangs together with what a face shows, and reaches further from it than a seam of some cells."""
+    near, kept = grown_by(own.inside, steps), np.empty(found.shape, np.bool_)
+    for i in range(found.shape[0]):
+        for j in range(found.shape[1]):
+            kept[i, j] = own.beyond[i, j] and not near[i, j]
+    kept = square_around(kept, steps)
+    joined = np.empty(found.shape, np.bool_)
+    for i in range(found.shape[0]):
+        for j in range(found.shape[1]):
+            kept[i, j] &= own.beyond[i, j]
+            joined[i, j] = kept[i, j] or found[i, j]
+    together = reached(grown(joined), found)
+    for i in range(found.shape[0]):
+        for j in range(found.shape[1]):
+            kept[i, j] &= together[i, j]
+    return kept
