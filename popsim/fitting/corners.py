@@ -10,7 +10,7 @@ from popsim.mechanisms import RectangularPrism
 
 def propose_corner(spot: Spot) -> Proposal | None:
     """The prism that gains most in a corner, or None."""
-    gain, first, last = best_run(spot.summed()[:, 1:, 1:])
+    gain, first, last = best_run(spot.summed[:, 1:, 1:])
     s, h = (int(k) for k in np.unravel_index(int(gain.argmax()), gain.shape))
     if not gain[s, h] > 0:
         return None

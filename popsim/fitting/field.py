@@ -1,6 +1,7 @@
 """What covering each cell of the volume would gain."""
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -96,6 +97,7 @@ class Spot:
         """Card position (x, u, v) of a cell border (x, u, z), mm."""
         return np.asarray(self.start + np.array(index) * self.cell)
 
+    @cached_property
     def summed(self) -> FloatArray:
         """Gain of covering, in each column x, the first w cells along u and the first h along z: (x, w, h)."""
         sums = np.zeros((self.gain.shape[0], self.gain.shape[1] + 1, self.gain.shape[2] + 1))

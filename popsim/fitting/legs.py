@@ -21,12 +21,11 @@ def legs(plate: Shape, own: Held) -> BoolArray | None:
 
     The second axis of the cells leads upward.
     """
-    if not plate.principal or abs(plate.outward[0]) < ACROSS:
+    back = SET_BACK * plate.behind
+    if own.deepest <= back or not plate.principal or abs(plate.outward[0]) < ACROSS:
         return None
     shown = own.face | own.beyond
-    deep = shown & (own.behind > SET_BACK * plate.behind)
-    if not deep.any():
-        return None
+    deep = shown & (own.behind > back)
     depth = np.where(shown, own.behind, np.inf).T[::-1]
     labels = _parts(deep).T[::-1]
     found = legs_among(labels, depth, _face(own.inside.T[::-1]), lambda part: bool(part.sum() >= LEAST))

@@ -35,7 +35,7 @@ def propose_row(
     allowed:
         Where it may have steps and tops; None for everywhere.
     """
-    sums = spot.summed()[:, 1:, 1:]
+    sums = spot.summed[:, 1:, 1:]
     value = sums + prices.trust * _later(sums, prices)
     if room is not None:
         value = np.where(room[:, : value.shape[1], None], value, OUTSIDE)

@@ -18,7 +18,7 @@ NOTHING = -1e12
 
 def propose_wedges(spot: Spot) -> list[Proposal]:
     """The wedges facing either way and the turned box that gain most, as far as there are any."""
-    sums = spot.summed()[:, 1:, 1:]
+    sums = spot.summed[:, 1:, 1:]
     forward = _wedges(sums)
     backward = _wedges(sums[::-1])[::-1]
     found = []

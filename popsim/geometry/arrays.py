@@ -33,13 +33,11 @@ def locked(values: npt.ArrayLike, shape: Sequence[int | None], name: str) -> Flo
     """
     array = values if _kept(values) else np.array(values, dtype=np.float64)
     assert isinstance(array, np.ndarray)  # for the type checker
-    fits = array.ndim == len(shape)
-    for want, have in zip(shape, array.shape, strict=False):
-        fits = fits and want in (None, have)
-    if not fits:
+    if array.shape != shape and not _fits(array.shape, shape):
         expected = " x ".join("n" if n is None else str(n) for n in shape)
         raise GeometryError(f"{name} must have shape {expected}, not {' x '.join(map(str, array.shape))}")
-    if not isfinite(array.sum()) and not np.isfinite(array).all():  # the sum is faster to look at
+    total = np.add.reduce(array, axis=None)  # faster to look at than all values
+    if not isfinite(total) and not np.isfinite(array).all():
         raise GeometryError(f"{name} must be finite numbers; found NaN or infinity")
     array.setflags(write=False)
     return array
@@ -47,9 +45,14 @@ def locked(values: npt.ArrayLike, shape: Sequence[int | None], name: str) -> Flo
 
 def _kept(values: npt.ArrayLike) -> bool:
     """Whether nobody can write into an array any more, so that it need not be copied."""
-    if not isinstance(values, np.ndarray) or values.dtype != np.float64 or values.base is not None:
+    if not isinstance(values, np.ndarray) or values.base is not None or values.dtype != np.float64:
         return False
-    return values.flags.c_contiguous and not values.flags.writeable
+    return not values.flags.writeable and values.flags.c_contiguous
+
+
+def _fits(have: Sequence[int], want: Sequence[int | None]) -> bool:
+    """Whether a shape is one of those wanted."""
+    return len(have) == len(want) and all(n in (None, m) for m, n in zip(have, want, strict=True))
 
 
 def cross(first: FloatArray, second: FloatArray) -> FloatArray:

@@ -112,18 +112,34 @@ def _subtree_ranges(mechanisms: Sequence[Mechanism]) -> dict[str, tuple[float, f
 @lru_cache(maxsize=4096)
 def _below(plate: Plate, taken: tuple[tuple[float, float, float], ...]) -> Plate:
     """A plate along the fold whose room ends where others stand above it: over some x, from some height on."""
-    if not taken or plate.room is None:
+    if plate.room is None:
         return plate
+    (left, _, _), (right, _, top) = plate.room.min(axis=0).tolist(), plate.room.max(axis=0).tolist()
+    near = tuple((x0, x1, z) for x0, x1, z in taken if x0 < right and x1 > left and z < top)
+    if not near:
+        return plate
+    face, room = (tuple(map(tuple, ring[:, ::2].tolist())) for ring in (plate.outline, plate.room))
+    ring = np.array(_beneath(face, room, near))
+    return plate.but(room=np.column_stack([ring[:, 0], np.full(len(ring), plate.outline[0, 1]), ring[:, 1]]))
+
+
+@lru_cache(maxsize=4096)
+def _beneath(
+    face: tuple[tuple[float, float], ...],
+    room: tuple[tuple[float, float], ...],
+    taken: tuple[tuple[float, float, float], ...],
+) -> list[tuple[float, float]]:
+    """Corners (x, z) of what is left of a room around a face: plates of both sides have the same."""
     from shapely import box as block
     from shapely import union_all
     from shapely.geometry import Polygon
 
-    face, room = (Polygon(ring[:, [0, 2]]) for ring in (plate.outline, plate.room))
-    top = room.bounds[3] + 1.0
-    left = union_all([face, room.difference(union_all([block(x0, z, x1, top) for x0, x1, z in taken]))])
-    parts = [part for part in getattr(left, "geoms", [left]) if part.intersects(face)]
-    ring: FloatArray = np.array(max(parts, key=lambda part: part.area).exterior.coords)[:-1]
-    return plate.but(room=np.column_stack([ring[:, 0], np.full(len(ring), plate.outline[0, 1]), ring[:, 1]]))
+    whole, around = Polygon(face), Polygon(room)
+    top = around.bounds[3] + 1.0
+    left = union_all([whole, around.difference(union_all([block(x0, z, x1, top) for x0, x1, z in taken]))])
+    parts = [part for part in getattr(left, "geoms", [left]) if part.intersects(whole)]
+    corners: list[tuple[float, float]] = list(max(parts, key=lambda part: part.area).exterior.coords)[:-1]
+    return corners
 
 
 @lru_cache(maxsize=4096)

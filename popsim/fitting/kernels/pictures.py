@@ -80,16 +80,17 @@ def _draw(
     s_across, s_up = facing.back[k, 0, 0] / grain[0], facing.back[k, 0, 1] / grain[0]
     t_across, t_up = facing.back[k, 1, 0] / grain[1], facing.back[k, 1, 1] / grain[1]
     s0, t0 = low[0] / grain[0], low[1] / grain[1]
-    place = 0
+    rows, columns = float(mask.shape[0]), float(mask.shape[1])
+    deepening, place = facing.deepening[k, 0], 0
     for row in range(span[1], span[2]):
         y = row + 0.5 - up
+        s_row, t_row, deeper = s_up * y, t_up * y, facing.deepening[k, 1] * y
         for column in range(span[3], span[4]):
             x = column + 0.5 - across
-            i = int(np.floor(s_across * x + s_up * y - s0))
-            j = int(np.floor(t_across * x + t_up * y - t0))
-            shows = 0 <= i < mask.shape[0] and 0 <= j < mask.shape[1] and mask[i, j]
-            far = near + facing.deepening[k, 0] * x + facing.deepening[k, 1] * y
-            depth[place] = far if shows else np.inf
+            i, j = s_across * x + s_row - s0, t_across * x + t_row - t0
+            depth[place] = np.inf
+            if 0 <= i < rows and 0 <= j < columns and mask[int(i), int(j)]:
+                depth[place] = near + deepening * x + deeper
             place += 1
 
 

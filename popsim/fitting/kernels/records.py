@@ -52,6 +52,8 @@ class Held(NamedTuple):
         Cells of the face with any of the model behind them.
     behind:
         How deep the model lies, mm; inf where there is none.
+    deepest:
+        The greatest of these where it shows, mm; -inf where it shows nowhere.
     """
 
     low: FloatArray
@@ -63,6 +65,7 @@ class Held(NamedTuple):
     beyond: BoolArray
     there: BoolArray
     behind: FloatArray
+    deepest: float
 
 
 class Facing(NamedTuple):

@@ -51,6 +51,7 @@ def held(
     columns = _pixels(t, ends.start[1], ends.pixel, ends.near.shape[1])
     face, beyond = np.zeros(inside.shape, np.bool_), np.zeros(inside.shape, np.bool_)
     there, behind = np.zeros(inside.shape, np.bool_), np.empty(inside.shape)
+    deepest = -np.inf
     for i in range(len(s)):
         level = plane[0] + plane[1] * s[i]
         for j in range(len(t)):
@@ -59,14 +60,19 @@ def held(
                 continue
             place = ends.sign * (level + plane[2] * t[j])
             deep = place - ends.near[rows[i], columns[j]]
-            other = -place - ends.far[rows[i], columns[j]]
             behind[i, j] = deep
-            if inside[i, j]:
-                there[i, j] = deep < np.inf or (not principal and other < np.inf)
-                face[i, j] = deep <= depths[0] and deep < np.inf if principal else max(deep, other) < np.inf
+            if principal:
+                there[i, j] = inside[i, j] and deep < np.inf
+                face[i, j] = there[i, j] and deep <= depths[0]
+                beyond[i, j] = not inside[i, j] and deep < np.inf and deep <= depths[1]
             else:
-                beyond[i, j] = deep <= depths[1] and deep < np.inf and (principal or other <= depths[1])
-    return Held(starts, sides, s, t, inside, face, beyond, there, behind)
+                other = -place - ends.far[rows[i], columns[j]]
+                there[i, j] = inside[i, j] and min(deep, other) < np.inf
+                face[i, j] = inside[i, j] and max(deep, other) < np.inf
+                beyond[i, j] = not inside[i, j] and max(deep, other) < np.inf and max(deep, other) <= depths[1]
+            if face[i, j] or beyond[i, j]:
+                deepest = max(deepest, deep)
+    return Held(starts, sides, s, t, inside, face, beyond, there, behind, deepest)
 
 
 @compiled
@@ -102,20 +108,23 @@ def shown(
         Whether it stands upright; the coordinate (0 s, 1 t) that leads over the fold, -1 where it does not go on
         there; and on which side of the fold it lies.
     """
-    found = _to_the_edge(own, max(round(NEAR_EDGE / side), 1))
-    if _any_but(own.there, own.face):
-        closed = grown(own.beyond)
-        _join(closed, found)
-        _wall_up(closed, own, walls)
-        _fill(found, closed, own)
+    found = own.face.copy()
+    if _any_but(own.inside, own.face):
+        _go_on_to_the_edge(found, own, max(round(NEAR_EDGE / side), 1))
+        if _any_but(own.there, own.face):
+            closed = grown(own.beyond)
+            _join(closed, found)
+            _wall_up(closed, own, walls)
+            _fill(found, closed, own)
     if principal:
         if counted(found) < SPARSE * counted(own.inside):
             _join(found, own.inside)
         else:
             add_strips(found, hinges, own.low, own.grain, own.inside)
     steps = max(round(THINNEST_STRIP / side) - 1, 1)
-    if _any_but(own.beyond, grown_by(own.inside, steps)):
-        _join(found, _attached(found, own, steps))
+    seam = grown_by(own.inside, steps)
+    if _any_but(own.beyond, seam):
+        _attach(found, own.beyond, seam, steps)
     return found
 
 
@@ -148,18 +157,17 @@ def _join(mask: BoolArray, other: BoolArray) -> None:
 
 
 @compiled
-def _to_the_edge(own: Held, steps: int) -> BoolArray:
-    """What a face shows, and the cells from there to its border where that is near: hinges need paper."""
+def _go_on_to_the_edge(found: BoolArray, own: Held, steps: int) -> None:
+    """Add to what a face shows the cells from there to its border where that is near: hinges need paper."""
     rows, columns = own.inside.shape
     outside = np.empty((rows, columns), np.bool_)
     for i in range(rows):
         for j in range(columns):
             outside[i, j] = not own.inside[i, j]
-    found, border = grown_by(own.face, steps), grown_by(outside, steps)
+    near, border = grown_by(own.face, steps), grown_by(outside, steps)
     for i in range(rows):
         for j in range(columns):
-            found[i, j] = own.face[i, j] or (own.inside[i, j] and border[i, j] and found[i, j])
-    return found
+            found[i, j] |= own.inside[i, j] & border[i, j] & near[i, j]
 
 
 @compiled
@@ -207,20 +215,20 @@ def extent(mask: BoolArray) -> tuple[int, int, int, int]:
 
 
 @compiled
-def _attached(found: BoolArray, own: Held, steps: int) -> BoolArray:
-    """What hangs together with what a face shows, and reaches further from it than a seam of some cells."""
-    near, kept = grown_by(own.inside, steps), np.empty(found.shape, np.bool_)
-    for i in range(found.shape[0]):
-        for j in range(found.shape[1]):
-            kept[i, j] = own.beyond[i, j] and not near[i, j]
-    kept = square_around(kept, steps)
-    joined = np.empty(found.shape, np.bool_)
-    for i in range(found.shape[0]):
-        for j in range(found.shape[1]):
-            kept[i, j] &= own.beyond[i, j]
-            joined[i, j] = kept[i, j] or found[i, j]
+def _attach(found: BoolArray, beyond: BoolArray, seam: BoolArray, steps: int) -> None:
+    """Add what hangs together with what a face shows, and reaches further from it than a seam of some cells."""
+    rows, columns = found.shape
+    far = np.empty((rows, columns), np.bool_)
+    for i in range(rows):
+        for j in range(columns):
+            far[i, j] = beyond[i, j] & (not seam[i, j])
+    kept = square_around(far, steps)
+    joined = np.empty((rows, columns), np.bool_)
+    for i in range(rows):
+        for j in range(columns):
+            kept[i, j] &= beyond[i, j]
+            joined[i, j] = kept[i, j] | found[i, j]
     together = reached(grown(joined), found)
-    for i in range(found.shape[0]):
-        for j in range(found.shape[1]):
-            kept[i, j] &= together[i, j]
-    return kept
+    for i in range(rows):
+        for j in range(columns):
+            found[i, j] |= kept[i, j] & together[i, j]
