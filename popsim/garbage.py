@@ -19,4 +19,7 @@ def seldom_collected() -> Iterator[None]:
     try:
         yield
     finally:
+        if not gc.get_freeze_count():  # what was made meanwhile is old now, without a look at it
+            gc.freeze()
+            gc.unfreeze()
         gc.set_threshold(*before)

@@ -46,7 +46,7 @@ def overhangs(plate: Shape, stencil: Stencil) -> tuple[Overhang, ...]:
     lines, counts = counted(seen, stencil.low, stencil.grain, stencil.face, stencil.mask)
     if not len(lines):
         return ()
-    each = float(stencil.grain.prod()) * worth_beyond(lies=plate.lies)
+    each = float(stencil.grain[0] * stencil.grain[1]) * worth_beyond(lies=plate.lies)
     found = []
     for (place, along, first, last, border, above), count in zip(lines.tolist(), counts, strict=True):
         line = Line(along, first, last, border, bool(above))

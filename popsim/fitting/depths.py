@@ -35,7 +35,10 @@ def deepened(state: Candidate, value: Value) -> Candidate:
             for which, factors in enumerate((BEHIND, BESIDE)):
                 if not _matters(plates, which):
                     continue
-                for changed in [_changed(state, index, roles, which, factor) for factor in factors]:
+                tries = [_changed(state, index, roles, which, factor) for factor in factors]
+                if value(tries[0]) == value(tries[-1]) == score:
+                    continue  # nothing lies between the least depth and the greatest
+                for changed in tries:
                     found = value(changed)
                     if found > score + BETTER:
                         state, score = changed, found

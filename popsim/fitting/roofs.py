@@ -17,17 +17,15 @@ LEAST = 2
 
 def propose_roof(spot: Spot) -> Proposal | None:
     """The roof that gains most on an opening pair, or None."""
+    from popsim.fitting.kernels.roofs import gains
+
     _, wide, high = spot.gain.shape
     if wide < LEAST or high < LEAST:
         return None
     halves, heights = np.arange(LEAST, wide + 1), np.arange(LEAST, high + 1, STRIDE)
     reach = _reach(halves, heights, high)
     across = np.concatenate([np.zeros((len(spot.gain), 1, high)), spot.gain.cumsum(axis=1)], axis=1)
-    columns = np.zeros((len(spot.gain), len(halves), len(heights)))
-    for level in range(high):
-        over = int(np.searchsorted(heights, level, side="right"))  # lower ones do not reach it
-        columns[:, :, over:] += across[:, reach[:, over:, level], level]
-    gain, first, last = best_run(columns)
+    gain, first, last = best_run(gains(across, reach, heights))
     t, h = (int(k) for k in np.unravel_index(int(gain.argmax()), gain.shape))
     if not gain[t, h] > 0:
         return None

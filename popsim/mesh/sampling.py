@@ -204,7 +204,8 @@ def _means(part: IntArray, probes: FloatArray, share: FloatArray) -> tuple[Float
 
 def _first(part: IntArray, values: IntArray) -> IntArray:
     """Return the value of the first probe of each part."""
-    firsts: IntArray = values[np.unique(part, return_index=True)[1]]
+    firsts = np.empty(part.max() + 1, dtype=values.dtype)
+    firsts[part[::-1]] = values[::-1]  # the last that is written stays
     return firsts
 
 
@@ -227,8 +228,7 @@ def _merge_small(centroid: FloatArray, area: FloatArray, facing: IntArray, spaci
 def _nearest_probe(part: IntArray, probes: FloatArray, centroid: FloatArray) -> IntArray:
     """Return the index of the probe of each part that is nearest to its centroid, the first of equals."""
     distance = np.square(probes - centroid[part]).sum(axis=1)
-    order = np.argsort(part, kind="stable")
-    starts = np.searchsorted(part[order], np.arange(len(centroid)))
-    nearest = np.flatnonzero(distance[order] == np.minimum.reduceat(distance[order], starts)[part[order]])
-    first = np.unique(part[order[nearest]], return_index=True)[1]
-    return order[nearest[first]]
+    least = np.full(len(centroid), np.inf)
+    np.minimum.at(least, part, distance)
+    nearest = np.flatnonzero(distance == least[part])
+    return _first(part[nearest], nearest)

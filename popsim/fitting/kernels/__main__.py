@@ -6,8 +6,11 @@ import numpy as np
 
 from popsim.design import Card
 from popsim.fitting.appearance import Appearance
+from popsim.fitting.field import Field, spot_on
 from popsim.fitting.mapping import mappings
 from popsim.fitting.mirror import lies_beyond
+from popsim.fitting.roofs import propose_roof
+from popsim.fitting.volume import measure_volume
 from popsim.fitting.wishes import Wishes
 from popsim.geometry.arrays import FloatArray
 from popsim.geometry.surface import Material, Surface
@@ -26,15 +29,20 @@ SQUARES = ((0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4),
 
 
 def main() -> None:
-    """Look at something that is alike on both sides of the fold, and at one side that is shown deeper."""
+    """Look at something that is alike on both sides of the fold, and at one side that is shown deeper; roof it."""
     near = np.concatenate([_block(*corners) for corners in HALF])
     triangles = np.concatenate([near, near * [1.0, -1.0, 1.0]])
     count = len(triangles)
     surface = Surface(triangles, np.zeros((count, 3, 2)), np.zeros(count, int), (Material(np.ones(4)),))
-    seen = Appearance(RayScene(surface), surface.bounds)
+    scene = RayScene(surface)
+    seen = Appearance(scene, surface.bounds)
     pair = card_pair(Card(x=(-300.0, 300.0), depth=300.0))
     body = RectangularPrism((-50.0, -30.0, 0.0), (50.0, 30.0, 40.0))
     own = mappings(body, pair, "M1", Wishes().allows)[0].mechanism
+    volume = measure_volume(scene, surface.bounds)
+    spot = spot_on(Field(volume, 1.0), pair)
+    assert spot is not None
+    propose_roof(spot)
     seen.likeness([own])
     seen.likeness([own], {own.patch_id(plate.role): (2.0, 1.0) for plate in own.plates() if lies_beyond(plate)})
 
