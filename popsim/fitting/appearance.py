@@ -69,6 +69,10 @@ class Appearance:
         either, both, same, apart = compared(depth, model, DEEP * self.views.diagonal).T
         return Likeness(*(float(weights @ (share / either) / weights.sum()) for share in (both, same, apart)))
 
+    def look(self) -> None:
+        """Look at the model now rather than when it is first asked for: a second process cannot send rays."""
+        _ = self._distance, self._drawing
+
     @cached_property
     def _drawing(self) -> Drawing:
         return Drawing(self.views, Fronts.of(self.scene, self.bounds, self.grain))

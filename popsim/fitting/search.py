@@ -5,9 +5,9 @@ from math import inf
 from typing import NamedTuple
 
 from popsim.fitting.candidate import Candidate
-from popsim.fitting.known import Known
 from popsim.fitting.manners import MANNERS, Manner
 from popsim.fitting.outset import Outset
+from popsim.fitting.sharing import two_processes
 
 REFITTED = 6
 """How many starts are refitted."""
@@ -43,33 +43,39 @@ def search(outsets: Sequence[Outset]) -> State | None:
         The candidate, or None where nothing can be placed.
     """
 
+    def begin(way: tuple[int, Manner]) -> Candidate:
+        return outsets[way[0]].begun(way[1])
+
     def refit(state: State) -> Candidate:
         return outsets[state.outset].refitted(state.candidate)
 
     def complete(state: State) -> Candidate:
         return outsets[state.outset].completed(state.candidate)
 
-    left = _ranked(_different(outsets), outsets)
-    if not left:
-        return None
-    folds = sorted({state.outset for state, score in left if score > left[0][1] - HOPELESS})
-    for count, further, behind in ((REFITTED, refit, inf), (COMPLETED, Known(complete, State.key), HOPELESS)):
-        share = count // len(folds)
-        hopeful = [state for state, score in left if score > left[0][1] - behind]
-        over = ([state for state in hopeful if state.outset == fold] for fold in folds)
-        reached = [state._replace(candidate=further(state)) for states in over for state in states[:share]]
-        left = _ranked(reached, outsets)
+    for outset in outsets:
+        outset.coarse.look()
+    with two_processes(begin, refit, complete) as share:
+        ways = [(number, manner) for number in range(len(outsets)) for manner in MANNERS]
+        begun = zip(ways, share(begin, ways), strict=True)
+        starts = [State(number, candidate, manner) for (number, manner), candidate in begun if candidate.nodes]
+        left = _ranked(_different(starts), outsets)
+        if not left:
+            return None
+        folds = sorted({state.outset for state, score in left if score > left[0][1] - HOPELESS})
+        for count, further, behind in ((REFITTED, refit, inf), (COMPLETED, complete, HOPELESS)):
+            hopeful = [state for state, score in left if score > left[0][1] - behind]
+            over = ([state for state in hopeful if state.outset == fold] for fold in folds)
+            chosen = _different([state for states in over for state in states[: count // len(folds)]])
+            reached = zip(chosen, share(further, chosen), strict=True)
+            left = _ranked([state._replace(candidate=found) for state, found in reached], outsets)
     return left[0][0]
 
 
-def _different(outsets: Sequence[Outset]) -> list[State]:
-    """What manners lead to over each fold, each once, with the first manner that does."""
+def _different(states: Sequence[State]) -> list[State]:
+    """States, each once, however they were begun: the first of those that are the same."""
     found: dict[object, State] = {}
-    for number, outset in enumerate(outsets):
-        for manner in MANNERS:
-            state = State(number, outset.begun(manner), manner)
-            if state.candidate.nodes:
-                found.setdefault(state.key(), state)
+    for state in states:
+        found.setdefault(state.key(), state)
     return list(found.values())
 
 
