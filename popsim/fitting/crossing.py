@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from math import dist
 from typing import NamedTuple
 
-from popsim.fitting.lines import Line
+from popsim.fitting.kernels.records import Line
 from popsim.fitting.shape import Shape
 from popsim.fitting.stencil import Stencil
 from popsim.geometry.arrays import IntArray
@@ -43,12 +43,13 @@ def overhangs(plate: Shape, stencil: Stencil) -> tuple[Overhang, ...]:
     from popsim.fitting.kernels.hinges import overhangs as counted
 
     seen = stencil.slant.seen(plate.hinges)
-    lines, counts = counted(seen, stencil.low, stencil.grain, stencil.face, stencil.mask)
+    places, lines, counts = counted(seen, stencil.low, stencil.grain, stencil.face, stencil.mask)
     if not len(lines):
         return ()
     each = float(stencil.grain[0] * stencil.grain[1]) * worth_beyond(lies=plate.lies)
     found = []
-    for (place, along, first, last, border, above), count in zip(lines.tolist(), counts, strict=True):
+    for place, fields, count in zip(places.tolist(), lines.tolist(), counts, strict=True):
+        along, first, last, border, above = fields
         line = Line(along, first, last, border, bool(above))
         start, end = sorted(plate.hinges[place].tolist())
         found.append(Overhang((*start, *end), dist(start, end), count[: last - first], each, line))
@@ -87,10 +88,11 @@ def _cut(first: tuple[int, Overhang], second: tuple[int, Overhang]) -> list[tupl
 
 def without(stencil: Stencil, lines: Sequence[Line]) -> Stencil:
     """A stencil that shows nothing beyond some lines but in its face."""
+    from popsim.fitting.kernels.hinges import cut_off
+
     if not lines:
         return stencil
     mask = stencil.mask.copy()
     for line in lines:
-        cells = line.beyond(mask)
-        cells &= line.beyond(stencil.face)
+        cut_off(mask, stencil.face, line)
     return Stencil(stencil.slant, stencil.low, stencil.grain, mask, stencil.face)

@@ -33,16 +33,21 @@ def deepened(state: Candidate, value: Value) -> Candidate:
         for plates in _groups(plates_of(state.mechanisms[index])):
             roles = [plate.role for plate in plates]
             for which, factors in enumerate((BEHIND, BESIDE)):
-                if not _matters(plates, which):
-                    continue
-                tries = [_changed(state, index, roles, which, factor) for factor in factors]
-                if value(tries[0]) == value(tries[-1]) == score:
-                    continue  # nothing lies between the least depth and the greatest
-                for changed in tries:
-                    found = value(changed)
-                    if found > score + BETTER:
-                        state, score = changed, found
+                if _matters(plates, which):
+                    tries = [_changed(state, index, roles, which, factor) for factor in factors]
+                    state, score = _better(state, score, tries, value)
     return state
+
+
+def _better(state: Candidate, score: float, tries: Sequence[Candidate], value: Value) -> tuple[Candidate, float]:
+    """A state and its value, or that of some with other depths, the least first, which is better."""
+    if value(tries[0]) == value(tries[-1]) == score:
+        return state, score  # nothing lies between the least depth and the greatest
+    for changed in tries:
+        found = value(changed)
+        if found > score + BETTER:
+            state, score = changed, found
+    return state, score
 
 
 def _matters(plates: Sequence[Plate], which: int) -> bool:

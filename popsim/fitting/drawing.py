@@ -7,8 +7,7 @@ import numpy as np
 
 from popsim.fitting.crossing import Overhang, crossed, overhangs, without
 from popsim.fitting.fronts import Fronts
-from popsim.fitting.kernels.records import FloatImage
-from popsim.fitting.lines import Line
+from popsim.fitting.kernels.records import FloatImage, Line
 from popsim.fitting.mirror import Mirror, Sides, lies_beyond, same_on_both_sides
 from popsim.fitting.shape import shape_of
 from popsim.fitting.stencil import Stencil

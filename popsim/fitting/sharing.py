@@ -37,6 +37,8 @@ def two_processes(*works: Callable[[Any], Any]) -> Iterator[Share]:
     pipe, process = started
 
     def share(work: Callable[[T], R], things: Sequence[T]) -> list[R]:
+        if len(things) < 2:
+            return [work(thing) for thing in things]
         taken.value = 0
         pipe.send((works.index(work), things))
         try:

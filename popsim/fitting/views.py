@@ -62,11 +62,6 @@ class Views:
         right /= np.linalg.norm(right, axis=1, keepdims=True)
         return np.stack([right, np.cross(eyes, right), eyes], axis=1)
 
-    @property
-    def shape(self) -> tuple[int, int]:
-        """Number of views, and of pixels in each."""
-        return len(self.axes), self.pixels * self.pixels
-
     def rays(self) -> tuple[FloatArray, FloatArray]:
         """Origins and directions of the rays of all pixels, view after view, shape (9 p, 3)."""
         steps = self.diagonal * (self.centres / self.pixels - 0.5)

@@ -95,6 +95,27 @@ def within(s: FloatArray, t: FloatArray, ring: FloatArray) -> BoolArray:
 
 
 @compiled
+def extent(mask: BoolArray) -> tuple[int, int, int, int]:
+    """First row in which a mask (n, m) holds anything, the one after the last, and the same of columns."""
+    first, last, least, most = mask.shape[0], 0, mask.shape[1], 0
+    for i in range(mask.shape[0]):
+        for j in range(mask.shape[1]):
+            if mask[i, j]:
+                first, last, least, most = min(first, i), i + 1, min(least, j), max(most, j + 1)
+    return first, last, least, most
+
+
+@compiled
+def counted(mask: BoolArray) -> int:
+    """How many cells a mask holds."""
+    count = 0
+    for i in range(mask.shape[0]):
+        for j in range(mask.shape[1]):
+            count += mask[i, j]
+    return count
+
+
+@compiled
 def grown(mask: BoolArray) -> BoolArray:
     """A mask (n, m) and the cells beside its cells."""
     rows, columns = mask.shape

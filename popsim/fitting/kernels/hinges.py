@@ -5,6 +5,7 @@ from math import ceil
 import numpy as np
 
 from popsim.fitting.kernels.compiled import compiled
+from popsim.fitting.kernels.records import Line
 from popsim.geometry.arrays import BoolArray, FloatArray, IntArray
 from popsim.stock import HINGE_LENGTH, HINGE_SHARE, NEAR_EDGE, least_hold
 
@@ -15,7 +16,9 @@ _least_hold = compiled(least_hold)
 
 
 @compiled
-def lines_among(hinges: FloatArray, low: FloatArray, grain: FloatArray, face: BoolArray) -> IntArray:
+def lines_among(
+    hinges: FloatArray, low: FloatArray, grain: FloatArray, face: BoolArray
+) -> tuple[IntArray, IntArray]:
     """Those of some hinges that run along an edge of a face and along its cells.
 
     Parameters
@@ -29,10 +32,10 @@ def lines_among(hinges: FloatArray, low: FloatArray, grain: FloatArray, face: Bo
 
     Returns
     -------
-    numpy.ndarray
-        For each its place among the hinges, and what :class:`popsim.fitting.lines.Line` tells of it, shape (l, 6).
+    tuple
+        The place of each among the hinges, shape (l,), and the fields of its :class:`Line`, shape (l, 5).
     """
-    found = np.empty((len(hinges), 6), np.int64)
+    places, lines = np.empty(len(hinges), np.int64), np.empty((len(hinges), 5), np.int64)
     count = 0
     for place in range(len(hinges)):
         if abs(hinges[place, 1, 1] - hinges[place, 0, 1]) < STRAIGHT:
@@ -51,10 +54,16 @@ def lines_among(hinges: FloatArray, low: FloatArray, grain: FloatArray, face: Bo
         above = face[middle, border] if along == 0 else face[border, middle]
         below = face[middle, border - 1] if along == 0 else face[border - 1, middle]
         if above != below:
-            found[count, 0], found[count, 1], found[count, 2] = place, along, first
-            found[count, 3], found[count, 4], found[count, 5] = last, border, above
+            places[count] = place
+            lines[count, 0], lines[count, 1], lines[count, 2] = along, first, last
+            lines[count, 3], lines[count, 4] = border, above
             count += 1
-    return found[:count]
+    return places[:count], lines[:count]
+
+
+@compiled
+def _line(fields: IntArray) -> Line:
+    return Line(fields[0], fields[1], fields[2], fields[3], fields[4] == 1)
 
 
 @compiled
@@ -65,24 +74,25 @@ def add_strips(shown: BoolArray, hinges: FloatArray, low: FloatArray, grain: Flo
     of what is equally near that beside what reaches it already (see :mod:`popsim.patches.hold`). `shown` is of
     shape (n, m) and changed, the rest as in :func:`lines_among`.
     """
-    lines = lines_among(hinges, low, grain, face)
+    _, lines = lines_among(hinges, low, grain, face)
     for k in range(len(lines)):
-        _hold(lines[k], shown, face, grain[lines[k, 1]])
+        line = _line(lines[k])
+        _hold(line, shown, face, grain[line.along])
 
 
 @compiled
-def beside(line: IntArray, cells: BoolArray, inward: bool) -> BoolArray:
+def _beside(line: Line, cells: BoolArray, inward: bool) -> BoolArray:
     """Cells on the side of the face of a line, or on the other, by place along it and distance from it; a view."""
-    turned = cells if line[1] == 0 else cells.T
-    if (line[5] == 1) == inward:
-        return turned[line[2] : line[3], line[4] :]
-    return turned[line[2] : line[3], line[4] - 1 :: -1]
+    turned = cells if line.along == 0 else cells.T
+    if line.above == inward:
+        return turned[line.first : line.last, line.border :]
+    return turned[line.first : line.last, line.border - 1 :: -1]
 
 
 @compiled
-def _hold(line: IntArray, shown: BoolArray, face: BoolArray, side: float) -> None:
+def _hold(line: Line, shown: BoolArray, face: BoolArray, side: float) -> None:
     """Hold a line by what shows and what the face has; cells are `side` mm long along it."""
-    cells, own = beside(line, shown, True), beside(line, face, True)
+    cells, own = _beside(line, shown, True), _beside(line, face, True)
     count, far = cells.shape
     needed = ceil(_least_hold(float(count), HINGE_SHARE, HINGE_LENGTH / side))
     seam = max(round(NEAR_EDGE / side), 1)
@@ -107,9 +117,9 @@ def _hold(line: IntArray, shown: BoolArray, face: BoolArray, side: float) -> Non
 @compiled
 def _see_aside(deep: IntArray, aside: IntArray) -> None:
     """How many places each of some (n,) is from the nearest of least depth, into `aside`."""
-    least = far = len(deep)
-    for k in range(len(deep)):
-        least = deep[k] if k == 0 else min(least, deep[k])
+    least, far = deep[0], len(deep)
+    for k in range(1, len(deep)):
+        least = min(least, deep[k])
     apart = far
     for k in range(len(deep)):
         apart = 0 if deep[k] == least else apart + 1
@@ -132,7 +142,7 @@ def _depth(cells: BoolArray, seam: int) -> int:
 @compiled
 def overhangs(
     hinges: FloatArray, low: FloatArray, grain: FloatArray, face: BoolArray, shown: BoolArray
-) -> tuple[IntArray, IntArray]:
+) -> tuple[IntArray, IntArray, IntArray]:
     """What shows beyond hinges of a face.
 
     Parameters
@@ -145,27 +155,35 @@ def overhangs(
     Returns
     -------
     tuple
-        Those lines that something touches beyond the face, as :func:`lines_among` has them, and how many cells
-        show something beyond each place along each where something touches it, shape (l, k), k the greater of n
-        and m.
+        Places and fields of those lines that something touches beyond the face, as :func:`lines_among` has them,
+        and how many cells show something beyond each place along each where something touches it, shape (l, k),
+        k the greater of n and m.
     """
-    lines = lines_among(hinges, low, grain, face)
+    places, lines = lines_among(hinges, low, grain, face)
     counts = np.zeros((len(lines), max(face.shape)), np.int64)
     found = 0
     for k in range(len(lines)):
-        beyond, own = beside(lines[k], shown, False), beside(lines[k], face, False)
+        line = _line(lines[k])
+        beyond, own = _beside(line, shown, False), _beside(line, face, False)
         touched = False
         for place in range(len(beyond)):
-            counts[found, place] = 0
             if beyond[place, 0] and not own[place, 0]:
                 touched = True
                 for step in range(beyond.shape[1]):
                     counts[found, place] += beyond[place, step] and not own[place, step]
         if touched:
-            for column in range(6):
-                lines[found, column] = lines[k, column]
+            places[found], lines[found] = places[k], lines[k]
             found += 1
-    return lines[:found], counts[:found]
+    return places[:found], lines[:found], counts[:found]
+
+
+@compiled
+def cut_off(shown: BoolArray, face: BoolArray, line: Line) -> None:
+    """Let nothing show beyond a line but in the face; `shown`, of shape (n, m) as the face, is changed."""
+    beyond, own = _beside(line, shown, False), _beside(line, face, False)
+    for place in range(len(beyond)):
+        for step in range(beyond.shape[1]):
+            beyond[place, step] &= own[place, step]
 
 
 @compiled

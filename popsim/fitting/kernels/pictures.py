@@ -5,9 +5,9 @@ Spans and depths of pictures are those of :class:`popsim.fitting.views.Picture`.
 
 import numpy as np
 
+from popsim.fitting.kernels.cells import extent
 from popsim.fitting.kernels.compiled import compiled
 from popsim.fitting.kernels.records import Facing, FloatImage
-from popsim.fitting.kernels.stencils import extent
 from popsim.geometry.arrays import BoolArray, FloatArray, IntArray
 
 FINE = np.float32(1 << 16)
@@ -36,9 +36,9 @@ def drawn(
     first, last, least, most = extent(mask)
     s0, s1 = low[0] + first * grain[0], low[0] + last * grain[0]
     t0, t1 = low[1] + least * grain[1], low[1] + most * grain[1]
-    spans = np.empty((len(facing.views), 5), np.int64)
-    count = size = 0
-    for k in range(len(facing.views) if first < last else 0):
+    spans = np.empty((len(facing.views) if first < last else 0, 5), np.int64)
+    size = 0
+    for k in range(len(spans)):
         ends = np.empty((2, 2), np.int64)
         for axis in range(2):
             turn_s, turn_t = facing.turn[k, axis, 0], facing.turn[k, axis, 1]
@@ -47,19 +47,16 @@ def drawn(
             half = abs(turn_s) * (s1 - s0) / 2 + abs(turn_t) * (t1 - t0) / 2
             ends[axis, 0] = min(max(round(middle - half), 0), pixels)
             ends[axis, 1] = min(max(round(middle + half), 0), pixels)
-        spans[k, 0], spans[k, 1], spans[k, 2] = k, ends[1, 0], ends[1, 1]
+        spans[k, 0], spans[k, 1], spans[k, 2] = facing.views[k], ends[1, 0], ends[1, 1]
         spans[k, 3], spans[k, 4] = ends[0, 0], ends[0, 1]
         size += (ends[1, 1] - ends[1, 0]) * (ends[0, 1] - ends[0, 0])
-        count += 1
     depth = np.empty(size, np.float32)
     place = 0
-    for number in range(count):
-        k = spans[number, 0]
-        spans[number, 0] = facing.views[k]
-        own = (spans[number, 2] - spans[number, 1]) * (spans[number, 4] - spans[number, 3])
-        _draw(mask, low, grain, level, facing, k, spans[number], depth[place : place + own])
+    for k in range(len(spans)):
+        own = (spans[k, 2] - spans[k, 1]) * (spans[k, 4] - spans[k, 3])
+        _draw(mask, low, grain, level, facing, k, spans[k], depth[place : place + own])
         place += own
-    return spans[:count], depth
+    return spans, depth
 
 
 @compiled

@@ -68,6 +68,28 @@ class Held(NamedTuple):
     deepest: float
 
 
+class Line(NamedTuple):
+    """A stretch of a hinge along an edge of a face, between two rows or columns of cells.
+
+    Attributes
+    ----------
+    along:
+        The axis of the cells that runs along it.
+    first, last:
+        Its first cell along that axis, and the one after its last.
+    border:
+        Cells of the other axis that lie below it.
+    above:
+        Whether the face lies above it.
+    """
+
+    along: int
+    first: int
+    last: int
+    border: int
+    above: bool
+
+
 class Facing(NamedTuple):
     """How views see the planes of one slope, by the coordinates s and t of a slant.
 

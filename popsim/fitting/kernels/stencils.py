@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from popsim.fitting.kernels.cells import divided, grown, grown_by, reached, square_around, within
+from popsim.fitting.kernels.cells import counted, divided, extent, grown, grown_by, reached, square_around, within
 from popsim.fitting.kernels.compiled import compiled
 from popsim.fitting.kernels.hinges import add_strips
 from popsim.fitting.kernels.records import Ends, Held
@@ -129,16 +129,6 @@ def shown(
 
 
 @compiled
-def counted(mask: BoolArray) -> int:
-    """How many cells a mask holds."""
-    count = 0
-    for i in range(mask.shape[0]):
-        for j in range(mask.shape[1]):
-            count += mask[i, j]
-    return count
-
-
-@compiled
 def _any_but(mask: BoolArray, other: BoolArray) -> bool:
     """Whether a mask holds any cell that another one does not."""
     for i in range(mask.shape[0]):
@@ -201,17 +191,6 @@ def _wall_up(closed: BoolArray, own: Held, walls: tuple[bool, int, float]) -> No
             corner = not first <= i < last and not least <= j < most
             if not corner and sign * (own.s[i] if coordinate == 0 else own.t[j]) <= 0:
                 closed[i, j] = True
-
-
-@compiled
-def extent(mask: BoolArray) -> tuple[int, int, int, int]:
-    """First row in which a mask (n, m) holds anything, the one after the last, and the same of columns."""
-    first, last, least, most = mask.shape[0], 0, mask.shape[1], 0
-    for i in range(mask.shape[0]):
-        for j in range(mask.shape[1]):
-            if mask[i, j]:
-                first, last, least, most = min(first, i), i + 1, min(least, j), max(most, j + 1)
-    return first, last, least, most
 
 
 @compiled
