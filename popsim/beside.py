@@ -1,30 +1,135 @@
-"""Work in a second process, where there is a second core and a process can be forked safely.
+"""Work that a second process takes its share of, where there is a second core and it can be forked safely.
 
 A forked process has what the first one has, without starting anew. It must not build ray scenes or draw with
-OpenGL: their threads and contexts do not come along. What comes out is the same as with one process.
+OpenGL: their threads and contexts do not come along. What comes out is the same with one process; of what fails or
+is lost in the second one the first one does it again.
 """
 
 import os
 import sys
 import warnings
-from collections.abc import Callable
-from contextlib import suppress
-from typing import TYPE_CHECKING, Any, Generic, TypeVar
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager, suppress
+from typing import TYPE_CHECKING, Any, Protocol, TypeVar
 
 if TYPE_CHECKING:
     from multiprocessing.connection import Connection
     from multiprocessing.process import BaseProcess
+    from multiprocessing.sharedctypes import Synchronized
 
 T = TypeVar("T")
+R = TypeVar("R")
 
 
-def forked(target: Callable[..., None], *args: object) -> "tuple[Connection[Any, Any], BaseProcess] | None":
-    """Call ``target(pipe, *args)`` in a second process.
+class Share(Protocol):
+    """Does some work with things, in either process; what comes of each, in order."""
 
-    Returns
-    -------
-    tuple or None
-        The other end of its pipe, and the process; None where there is no second core, or no safe way.
+    def __call__(self, work: Callable[[T], R], things: Sequence[T]) -> list[R]: ...
+
+
+class Second:
+    """A second process that knows some works, and all that there is when it starts.
+
+    Each process takes the next thing when it is free. Things are sent, and what comes of them is sent back.
+    """
+
+    def __init__(self, *works: Callable[[Any], Any]) -> None:
+        self.works = works
+        self._started = _forked(works)
+
+    def begin(self, work: Callable[[T], R], things: Sequence[T]) -> Callable[[], list[R]]:
+        """Let the second process begin with one of its works; one at a time.
+
+        Returns
+        -------
+        callable
+            Does the rest, and returns what comes of each thing, in order.
+        """
+        if self._started is None:
+            return lambda: [work(thing) for thing in things]
+        pipe, _, taken = self._started
+        taken.value = 0
+        with suppress(OSError):  # it may have died
+            pipe.send((self.works.index(work), things))
+
+        def finish() -> list[R]:
+            there: dict[int, R] = {}
+            try:
+                own = {place: work(things[place]) for place in _taking(taken, len(things))}
+            finally:
+                taken.value = len(things)
+                with suppress(EOFError, OSError):
+                    there = pipe.recv()
+            found = there | own
+            return [found[place] if place in found else work(thing) for place, thing in enumerate(things)]
+
+        return finish
+
+    def close(self) -> None:
+        """Let it end."""
+        if self._started is not None:
+            pipe, process, _ = self._started
+            with suppress(OSError):
+                pipe.send(None)  # a later second process may hold the pipe open, so that closing it says nothing
+            pipe.close()
+            process.join()
+
+
+def begun(work: Callable[[T], R], things: Sequence[T]) -> Callable[[], list[R]]:
+    """Begin to do some work with things in a second process; whoever calls what is returned does its share.
+
+    Raises
+    ------
+    Exception
+        When called: what the work raises.
+    """
+
+    def nth(place: int) -> R:
+        return work(things[place])  # the second process has the things when it starts, so they need not be sent
+
+    second = Second(nth)
+    finish = second.begin(nth, range(len(things)))
+
+    def results() -> list[R]:
+        try:
+            return finish()
+        finally:
+            second.close()
+
+    return results
+
+
+@contextmanager
+def two_processes(*works: Callable[[Any], Any]) -> Iterator[Share]:
+    """Share works, one after another, with the same second process, which remembers what it did before."""
+    second = Second(*works)
+
+    def share(work: Callable[[T], R], things: Sequence[T]) -> list[R]:
+        return second.begin(work, things)() if len(things) > 1 else [work(thing) for thing in things]
+
+    try:
+        yield share
+    finally:
+        second.close()
+
+
+def _taking(taken: "Synchronized[int]", count: int) -> Iterator[int]:
+    """Places, each to one process only."""
+    while True:
+        with taken.get_lock():
+            place = taken.value
+            taken.value = place + 1
+        if place >= count:
+            return
+        yield place
+
+
+def _forked(
+    works: tuple[Callable[[Any], Any], ...],
+) -> "tuple[Connection[Any, Any], BaseProcess, Synchronized[int]] | None":
+    """The pipe to a second process, that process, and how many things are taken.
+
+    None where there is no second core, or no safe way.
     """
     if sys.platform != "linux" or len(os.sched_getaffinity(0)) < 2:
         return None
@@ -32,46 +137,29 @@ def forked(target: Callable[..., None], *args: object) -> "tuple[Connection[Any,
 
     context = get_context("fork")
     here, there = context.Pipe()
-    process = context.Process(target=_alone, args=(target, here, there, args), daemon=True)
+    taken = context.Value("i", 0)
+    process = context.Process(target=_serve, args=(here, there, works, taken), daemon=True)
     with warnings.catch_warnings():
         # of Python 3.12 on: forking beside threads; the second process needs none of their locks
         warnings.simplefilter("ignore", DeprecationWarning)
         process.start()
     there.close()
-    return here, process
+    return here, process, taken
 
 
-class Beside(Generic[T]):
-    """The result of some work that is done meanwhile."""
-
-    def __init__(self, work: Callable[[], T]) -> None:
-        self._work = work
-        self._started = forked(_answer, work)
-
-    def result(self) -> T:
-        """What the work returned; what it raised is raised here."""
-        if self._started is None:
-            return self._work()
-        pipe, process = self._started
-        answer: tuple[T] | None = None
-        with suppress(EOFError):
-            answer = pipe.recv()
-        pipe.close()
-        process.join()
-        return self._work() if answer is None else answer[0]
-
-
-def _alone(
-    target: Callable[..., None], asking: "Connection[Any, Any]", pipe: Any, args: tuple[object, ...]
+def _serve(
+    asking: "Connection[Any, Any]",
+    pipe: "Connection[Any, Any]",
+    works: tuple[Callable[[Any], Any], ...],
+    taken: "Synchronized[int]",
 ) -> None:
+    """Do what is asked until whoever asks is through, or gone."""
     asking.close()
-    target(pipe, *args)
-
-
-def _answer(pipe: "Connection[Any, Any]", work: Callable[[], object]) -> None:
-    """Send what some work returns; None where it raises, so that it is done again by whoever asks."""
-    answer = None
-    with suppress(Exception):
-        answer = (work(),)
-    with suppress(BrokenPipeError):  # nobody asks any more
-        pipe.send(answer)
+    with suppress(EOFError, OSError):
+        while (asked := pipe.recv()) is not None:
+            number, things = asked
+            found = {}
+            for place in _taking(taken, len(things)):
+                with suppress(Exception):
+                    found[place] = works[number](things[place])
+            pipe.send(found)

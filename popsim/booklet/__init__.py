@@ -6,7 +6,8 @@ drawings are marks of :mod:`popsim.layout.sheet` with the roles of :mod:`popsim.
 sheets write them; all words stand in :mod:`popsim.wording`.
 """
 
+from popsim.booklet.booklet import begun_booklet
 from popsim.booklet.format import booklet_format
-from popsim.booklet.write import started_booklet, started_picture, write_booklet
+from popsim.booklet.write import begun_picture, write_booklet
 
-__all__ = ["booklet_format", "started_booklet", "started_picture", "write_booklet"]
+__all__ = ["begun_booklet", "begun_picture", "booklet_format", "write_booklet"]

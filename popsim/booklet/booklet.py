@@ -1,9 +1,11 @@
 """What stands in a booklet, whatever it is printed on."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 from popsim import wording
-from popsim.assembly import AssemblyPlan, StepKind
+from popsim.assembly import AssemblyPlan, Step, StepKind
+from popsim.beside import begun
 from popsim.booklet.closing import closing
 from popsim.booklet.column import text_height
 from popsim.booklet.cutting import draw_cutting
@@ -13,6 +15,10 @@ from popsim.booklet.format import Format
 from popsim.booklet.things import Eye
 from popsim.layout.sheet import Sheet
 from popsim.simulation import Sweep
+
+PICTURE = "popup.png"
+SIZE = 480, 360
+"""Name of the picture of the cover, and its pixels."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -55,21 +61,37 @@ class Booklet:
     checks: tuple[str, ...]
 
 
-def make_booklet(
+def begun_booklet(
     plan: AssemblyPlan,
     sweep: Sweep,
-    name: str,
-    picture: str,
-    aspect: float,
     form: Format,
-    banner: str | None,
-    checks: tuple[str, ...],
-) -> Booklet:
-    """Draw the figures of all steps of a plan for pages of a format; `sweep` is its recorded motion."""
+    *,
+    name: str,
+    banner: str | None = None,
+    checks: tuple[str, ...] = (),
+) -> Callable[[], Booklet]:
+    """Begin to draw the figures of all steps of a plan, in a second process where there can be one.
+
+    Parameters
+    ----------
+    plan:
+        The steps, with their scenes.
+    sweep:
+        The recorded motion of what is built.
+    form:
+        Of the pages.
+    name, banner, checks:
+        As of :class:`Booklet`.
+
+    Returns
+    -------
+    callable
+        Draws the rest of them.
+    """
     layout = plan.layout
     draughtsman = Draughtsman(Eye(layout, viewpoint()))
-    entries = []
-    for step in plan.steps:
+
+    def entry(step: Step) -> Entry:
         cuts = step.kind is StepKind.CUT
         height = form.figure_height(text_height(step.text, form.body, form.text_width), whole_page=cuts)
         if cuts:
@@ -77,11 +99,13 @@ def make_booklet(
         else:
             shown = closing(step, layout, sweep) if step.kind is StepKind.FINISH else step
             figure = draughtsman.figure(shown, form.width, height)
-        entries.append(Entry(step.number, step.text, figure))
+        return Entry(step.number, step.text, figure)
+
+    entries = begun(entry, plan.steps)
     facts = wording.FACTS.format(
         pieces=wording.counted(len(layout.pieces), wording.PIECES),
         sheets=wording.counted(layout.sheet_count, wording.SHEETS),
         paper=layout.paper.name,
         steps=wording.counted(len(plan.steps), wording.STEPS),
     )
-    return Booklet(name, facts, picture, aspect, tuple(entries), banner, checks)
+    return lambda: Booklet(name, facts, PICTURE, SIZE[0] / SIZE[1], tuple(entries()), banner, checks)

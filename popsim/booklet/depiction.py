@@ -25,8 +25,9 @@ FILLS = {
 
 
 def depict(sights: Iterable[Sight], scale: float) -> tuple[Shape, ...]:
-    """Shapes of all things, in mm of the picture, to be printed at `scale`."""
-    return tuple(shape for sight in sights for shape in _shapes(sight, PITCH / scale))
+    """Shapes of all things, in mm of the picture, to be printed at `scale`; none of them is empty."""
+    shapes = (shape for sight in sights for shape in _shapes(sight, PITCH / scale))
+    return tuple(shape for shape in shapes if not shape.geometry.is_empty)
 
 
 def _shapes(sight: Sight, pitch: float) -> Iterator[Shape]:

@@ -57,7 +57,8 @@ class Scenery:
         """All that is covered by paper; on a grid, so that it stays valid when it is moved."""
         import shapely
 
-        return shapely.union_all([sight.seen.whole for sight in self.sights], grid_size=GRID)
+        shown = [sight.seen.whole for sight in self.sights if not sight.seen.area.is_empty]  # they hide the others
+        return shapely.union_all(shown, grid_size=GRID)
 
     @property
     def glued(self) -> tuple[Sight, ...]:

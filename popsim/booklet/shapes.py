@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from popsim.booklet.inks import Ink
-from popsim.geometry.arrays import FloatArray
+from popsim.geometry.arrays import FloatArray, IntArray
 from popsim.geometry.flat import GRID, move
 from popsim.layout.sheet import Area, Line, Mark
 
@@ -40,7 +40,14 @@ def clipped(shapes: Sequence[Shape], window: "BaseGeometry") -> tuple[Shape, ...
     import shapely
 
     shapely.prepare(window)
-    return tuple(Shape(shape.ink, untied(shape.geometry).intersection(window)) for shape in shapes)
+    left, low, right, high = window.bounds
+    x0, y0, x1, y1 = shapely.bounds([shape.geometry for shape in shapes]).T
+    near = (x0 <= right) & (x1 >= left) & (y0 <= high) & (y1 >= low)  # false for what is empty
+    return tuple(
+        Shape(shape.ink, untied(shape.geometry).intersection(window))
+        for shape, close in zip(shapes, near, strict=True)
+        if close
+    )
 
 
 def untied(geometry: "BaseGeometry") -> "BaseGeometry":
@@ -54,25 +61,37 @@ def untied(geometry: "BaseGeometry") -> "BaseGeometry":
 
 
 def drawn(shapes: Iterable[Shape]) -> Iterator[Mark]:
-    """The shapes as marks, in the order of their inks."""
+    """The shapes as marks, in the order of their inks; of each its areas, then its lines."""
     import shapely
 
     order = list(Ink)
-    for shape in sorted(shapes, key=lambda shape: order.index(shape.ink)):
-        parts = shapely.get_parts(shape.geometry)
-        for area in parts[shapely.get_dimensions(parts) == 2]:
-            if area.area > SMALLEST:
-                rings = (area.exterior, *area.interiors)
-                yield Area(shape.ink, tuple(np.array(ring.coords)[:-1] for ring in rings))
-        yield from _lines(shape.ink, parts[shapely.get_dimensions(parts) == 1])
+    ranked = sorted(shapes, key=lambda shape: order.index(shape.ink))
+    parts, owners = shapely.get_parts([shape.geometry for shape in ranked], return_index=True)
+    dimensions = shapely.get_dimensions(parts)
+    areas, lines = (dimensions == 2) & (shapely.area(parts) > SMALLEST), dimensions == 1
+    marks: list[tuple[int, Mark]] = [
+        (
+            owner,
+            Area(
+                ranked[owner].ink, tuple(np.array(ring.coords)[:-1] for ring in (part.exterior, *part.interiors))
+            ),
+        )
+        for part, owner in zip(parts[areas], owners[areas], strict=True)
+    ]
+    marks += [(owner, line) for owner, line in _lines(ranked, parts[lines], owners[lines])]
+    yield from (mark for _, mark in sorted(marks, key=lambda marked: marked[0]))
 
 
-def _lines(ink: Ink, parts: FloatArray) -> Iterator[Line]:
+def _lines(ranked: Sequence[Shape], parts: FloatArray, owners: IntArray) -> Iterator[tuple[int, Line]]:
+    """Lines of shapes, merged where they meet, each with the place of the shape it is of."""
     import shapely
 
-    merged = shapely.line_merge(shapely.multilinestrings(parts)) if len(parts) else shapely.MultiLineString()
-    for line in shapely.get_parts(merged):
-        if line.length > SMALLEST:
-            points = shapely.get_coordinates(line)
-            closed = bool((points[0] == points[-1]).all())
-            yield Line(ink, points[:-1] if closed else points, closed=closed)
+    places, first = np.unique(owners, return_inverse=True)
+    merged, owner = shapely.get_parts(
+        shapely.line_merge(shapely.multilinestrings(parts, indices=first)), return_index=True
+    )
+    long = shapely.length(merged) > SMALLEST
+    for line, place in zip(merged[long], places[owner[long]], strict=True):
+        points = shapely.get_coordinates(line)
+        closed = bool((points[0] == points[-1]).all())
+        yield int(place), Line(ranked[place].ink, points[:-1] if closed else points, closed=closed)

@@ -165,23 +165,24 @@ def _covers(shapes: Any, depths: FloatArray) -> Iterator[tuple[int, "BaseGeometr
     slope = depths[back] - depths[front]
     nearer = np.einsum("kij,kj->ki", corners, slope[:, :2]) + slope[:, 2:] - TOUCHING
     found = shapes[front]
-    cut = np.flatnonzero((nearer > 0).any(axis=1) & (nearer <= 0).any(axis=1))
-    halves = [shapely.Polygon(_above(corners[k], nearer[k])) for k in cut]
-    found[cut] = _overlaid(shapely.intersection, found[cut], np.array(halves, dtype=object))
-    for k in np.flatnonzero((nearer > 0).any(axis=1)):
+    some = (nearer > 0).any(axis=1)
+    cut = some & (nearer <= 0).any(axis=1)
+    found[cut] = _overlaid(shapely.intersection, found[cut], _above(corners[cut], nearer[cut]))
+    for k in np.flatnonzero(some):
         yield int(back[k]), found[k]
 
 
-def _above(corners: FloatArray, values: FloatArray) -> FloatArray:
-    """The part of a convex polygon (n, 2) where a function, linear with `values` (n,) at its corners, is > 0."""
-    kept = []
-    for k, (corner, value) in enumerate(zip(corners, values, strict=True)):
-        after, next_value = corners[(k + 1) % len(corners)], values[(k + 1) % len(corners)]
-        if value > 0:
-            kept.append(corner)
-        if (value > 0) != (next_value > 0):
-            kept.append(corner + (after - corner) * value / (value - next_value))
-    return np.array(kept)
+def _above(corners: FloatArray, values: FloatArray) -> Any:
+    """The parts of convex polygons (m, n, 2) where functions, linear with `values` (m, n) at corners, are > 0."""
+    import shapely
+
+    after, next_values = np.roll(corners, -1, axis=1), np.roll(values, -1, axis=1)
+    crossing = (values > 0) != (next_values > 0)
+    fall = np.where(crossing, values - next_values, 1.0)
+    points = np.stack([corners, corners + (after - corners) * values[:, :, None] / fall[:, :, None]], axis=2)
+    kept = np.stack([values > 0, crossing], axis=2)  # a corner, then where the edge after it crosses 0
+    owners = np.broadcast_to(np.arange(len(corners))[:, None, None], kept.shape)
+    return shapely.polygons(shapely.linearrings(points[kept], indices=owners[kept]))
 
 
 def _facing(plate: Plate, view: "View") -> Plane:

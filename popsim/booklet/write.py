@@ -4,9 +4,8 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from popsim.assembly import AssemblyPlan
-from popsim.beside import Beside
-from popsim.booklet.booklet import Booklet, make_booklet
+from popsim.beside import begun
+from popsim.booklet.booklet import PICTURE, SIZE, Booklet
 from popsim.booklet.format import Format
 from popsim.booklet.html import page_of
 from popsim.booklet.inks import STYLE
@@ -14,21 +13,15 @@ from popsim.booklet.pages import draw_pages
 from popsim.design import Design
 from popsim.export.pdf import write_pages
 from popsim.geometry.arrays import UInt8Array
-from popsim.simulation import Sweep
 
 if TYPE_CHECKING:
     from popsim.patches.popup_surface import Textures
 
 NAME = "instructions"
-PICTURE = "popup.png"
 
 
-SIZE = 480, 360
-"""Of the picture, in pixels."""
-
-
-def started_picture(design: Design, textures: "Textures") -> Beside[UInt8Array]:
-    """Begin to draw the cover picture, in a second process where there can be one.
+def begun_picture(design: Design, textures: "Textures") -> Callable[[], UInt8Array]:
+    """Begin to draw the cover picture, in a second process where there can be one; called, return it.
 
     Raises
     ------
@@ -37,37 +30,9 @@ def started_picture(design: Design, textures: "Textures") -> Beside[UInt8Array]:
     """
     from popsim.pictures import Look, open_shot
 
-    return Beside(open_shot(design, textures, Look(width=SIZE[0], height=SIZE[1])).take)
-
-
-def started_booklet(
-    plan: AssemblyPlan,
-    sweep: Sweep,
-    form: Format,
-    *,
-    name: str,
-    banner: str | None = None,
-    checks: tuple[str, ...] = (),
-) -> Beside[Booklet]:
-    """Begin to draw the figures of a booklet, in a second process where there can be one.
-
-    Parameters
-    ----------
-    plan:
-        The steps, with their scenes.
-    sweep:
-        The recorded motion of what is built.
-    form:
-        Of the pages.
-    name:
-        Of the model.
-    banner:
-        A warning on the cover, or None.
-    checks:
-        What to look at when it is done, one sentence each.
-    """
-    aspect = SIZE[0] / SIZE[1]
-    return Beside(lambda: make_booklet(plan, sweep, name, PICTURE, aspect, form, banner, checks))
+    shot = open_shot(design, textures, Look(width=SIZE[0], height=SIZE[1]))
+    taken = begun(lambda own: own.take(), [shot])
+    return lambda: taken()[0]
 
 
 def write_booklet(
@@ -78,9 +43,9 @@ def write_booklet(
     Parameters
     ----------
     booklet:
-        Asked for when the picture is drawn; see :func:`started_booklet`.
+        Asked for when the picture is drawn; see :func:`popsim.booklet.booklet.begun_booklet`.
     picture:
-        That of the cover, RGBA; see :func:`started_picture`.
+        That of the cover, RGBA; see :func:`begun_picture`.
     form:
         Of the pages.
     folder:
@@ -95,7 +60,8 @@ def write_booklet(
     cover, pdf, html = (folder / file for file in (PICTURE, f"{NAME}.pdf", f"{NAME}.html"))
     Image.fromarray(picture()).save(cover, format="PNG")
     content = booklet()
+    page = begun(lambda own: page_of(own, folder), [content])
     title = f"{content.name}: {NAME}"
     write_pages(draw_pages(content, form), pdf, style=STYLE, texture_root=folder, title=title)
-    html.write_text(page_of(content, folder), encoding="utf-8")
+    html.write_text(page()[0], encoding="utf-8")
     return cover, pdf, html

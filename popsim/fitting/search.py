@@ -4,10 +4,10 @@ from collections.abc import Sequence
 from math import inf
 from typing import NamedTuple
 
+from popsim.beside import two_processes
 from popsim.fitting.candidate import Candidate
 from popsim.fitting.manners import MANNERS, Manner
 from popsim.fitting.outset import Outset
-from popsim.fitting.sharing import two_processes
 
 REFITTED = 6
 """How many starts are refitted."""

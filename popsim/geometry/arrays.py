@@ -36,8 +36,8 @@ def locked(values: npt.ArrayLike, shape: Sequence[int | None], name: str) -> Flo
     if array.shape != shape and not _fits(array.shape, shape):
         expected = " x ".join("n" if n is None else str(n) for n in shape)
         raise GeometryError(f"{name} must have shape {expected}, not {' x '.join(map(str, array.shape))}")
-    total = np.add.reduce(array, axis=None)  # faster to look at than all values
-    if not isfinite(total) and not np.isfinite(array).all():
+    # faster than to look at all values, and finite only where they are; large ones overflow
+    if not isfinite(np.vdot(array, array)) and not np.isfinite(array).all():
         raise GeometryError(f"{name} must be finite numbers; found NaN or infinity")
     array.setflags(write=False)
     return array
@@ -52,7 +52,8 @@ def _kept(values: npt.ArrayLike) -> bool:
 
 def _fits(have: Sequence[int], want: Sequence[int | None]) -> bool:
     """Whether a shape is one of those wanted."""
-    return len(have) == len(want) and all(n in (None, m) for m, n in zip(have, want, strict=True))
+    unlike = [n for n, m in zip(have, want, strict=False) if m not in (None, n)]
+    return len(have) == len(want) and not unlike
 
 
 def cross(first: FloatArray, second: FloatArray) -> FloatArray:

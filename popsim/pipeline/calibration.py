@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from popsim.booklet import started_picture
+from popsim.booklet import begun_picture
 from popsim.design import Card, Design
 from popsim.mechanisms import (
     MECHANISMS,
@@ -75,8 +75,8 @@ def deliver_calibration(
 
 def write_calibration(sweep: Sweep, folder: Path, settings: RunSettings, *, footer: str) -> list[Path]:
     """The same into a folder that is there already, whatever is in it."""
-    picture = started_picture(sweep.design, folder)
+    picture = begun_picture(sweep.design, folder)
     planned = plan_sheets(sweep.design, sweep, paper=settings.paper, settings=settings.layout)
     return write_prints(
-        planned, sweep.design, sweep, picture.result, folder, settings, name=NAME, footer=footer, checks=CHECKS
+        planned, sweep.design, sweep, picture, folder, settings, name=NAME, footer=footer, checks=CHECKS
     )

@@ -6,7 +6,7 @@ from functools import partial
 from pathlib import Path
 from typing import NamedTuple
 
-from popsim.booklet import started_picture
+from popsim.booklet import begun_picture
 from popsim.design import Source
 from popsim.errors import OutputError
 from popsim.geometry.arrays import UInt8Array
@@ -53,9 +53,9 @@ def deliver(run: DesignRun, folder: Path, *, command: str, footer: str, force: b
     planned, fill = None, partial(_wishes_and_report, run, None, command)
     if run.verdict.passed or run.settings.allow_unverified:
         sweep = run.verdict.evidence.sweep
-        picture = started_picture(run.design, run.painted.images)
+        picture = begun_picture(run.design, run.painted.images)
         planned = plan_sheets(run.design, sweep, paper=run.settings.paper, settings=run.settings.layout)
-        fill = partial(_everything, run, planned, picture.result, command, footer)
+        fill = partial(_everything, run, planned, picture, command, footer)
     return Delivery(fill_folder(folder, fill, force=force), planned)
 
 

@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from pathlib import Path
 
-from popsim.booklet import booklet_format, started_booklet, write_booklet
+from popsim.booklet import begun_booklet, booklet_format, write_booklet
 from popsim.design import Design, dump_design
 from popsim.export import Printing, export
 from popsim.geometry.arrays import UInt8Array
@@ -36,7 +36,7 @@ def write_prints(
     sweep:
         The recorded motion of the design.
     picture:
-        That of the cover; see :func:`popsim.booklet.started_picture`.
+        That of the cover; see :func:`popsim.booklet.begun_picture`.
     name:
         Of the model, on the cover.
     footer:
@@ -53,7 +53,7 @@ def write_prints(
     plan, checks = planned.plan, (*checks, *planned.notes)
     printing = Printing(settings.style, settings.two_sided, footer, banner, checks)
     form = booklet_format(plan.layout.paper)
-    booklet = started_booklet(plan, sweep, form, name=name, banner=banner, checks=checks)
+    booklet = begun_booklet(plan, sweep, form, name=name, banner=banner, checks=checks)
     made = [folder / "design.json"]
     made[0].write_text(dump_design(design))
     for kind in settings.formats:
@@ -66,7 +66,7 @@ def write_prints(
             plan=plan,
             sweep=sweep,
         )
-    made += write_booklet(booklet.result, picture, form, folder)
+    made += write_booklet(booklet, picture, form, folder)
     made.append(folder / "assembly.md")
     made[-1].write_text(plan.text)
     return made

@@ -6,6 +6,7 @@ image; the centre of the first pixel is (0.5, 0.5).
 """
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 import numpy.typing as npt
@@ -77,7 +78,7 @@ class View:
         smallest = 1.0 / pixels_per_unit  # what is seen edge-on still gets a pixel
         return cls(unit.eye, unit.up, unit.origin, low, np.maximum(high - low, smallest), pixels_per_unit)
 
-    @property
+    @cached_property
     def right(self) -> FloatArray:
         """Unit direction to the right in the image, shape (3,)."""
         return np.cross(self.up, self.eye)
@@ -93,7 +94,7 @@ class View:
         width, height = np.ceil(self.size * self.pixels_per_unit - WHOLE_PIXEL).astype(int)
         return max(1, int(height)), max(1, int(width))
 
-    @property
+    @cached_property
     def _axes(self) -> FloatArray:
         return np.array([self.right, self.up, -self.eye])
 

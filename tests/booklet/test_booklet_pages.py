@@ -11,8 +11,8 @@ import pytest
 from built_pop_up import Built
 
 from popsim.assembly import AssemblyPlan
-from popsim.booklet import started_booklet, started_picture, write_booklet
-from popsim.booklet.booklet import Booklet, make_booklet
+from popsim.booklet import begun_booklet, begun_picture, write_booklet
+from popsim.booklet.booklet import Booklet
 from popsim.booklet.closing import HALF, closing
 from popsim.booklet.eye import viewpoint
 from popsim.booklet.format import NARROWEST, Format, booklet_format
@@ -37,7 +37,7 @@ def form(plan: AssemblyPlan) -> Format:
 
 @pytest.fixture(scope="module")
 def booklet(plan: AssemblyPlan, sweep: Sweep, form: Format) -> Booklet:
-    return make_booklet(plan, sweep, "box", "popup.png", 4 / 3, form, None, ())
+    return begun_booklet(plan, sweep, form, name="box")()
 
 
 @pytest.fixture(scope="module")
@@ -181,8 +181,8 @@ def test_html_is_complete_and_needs_nothing_else(built: Built) -> None:
 
 def test_same_plan_gives_the_same_bytes(built: Built, sweep: Sweep, tmp_path: Path) -> None:
     form = booklet_format(built.plan.layout.paper)
-    booklet = started_booklet(built.plan, sweep, form, name=NAME, checks=CHECKS)
-    files = write_booklet(booklet.result, started_picture(built.design, tmp_path).result, form, tmp_path)
+    booklet = begun_booklet(built.plan, sweep, form, name=NAME, checks=CHECKS)
+    files = write_booklet(booklet, begun_picture(built.design, tmp_path), form, tmp_path)
     for file in files:
         assert file.read_bytes() == (built.folder / file.name).read_bytes(), file.name
 

@@ -4,7 +4,6 @@ import os
 from time import sleep
 
 import pytest
-
 from popsim.fitting.sharing import two_processes
 
 TWO_CORES = pytest.mark.skipif(len(os.sched_getaffinity(0)) < 2, reason="there is one core only")

@@ -12,7 +12,7 @@ from shapely import hausdorff_distance, unary_union
 from shapely.affinity import rotate
 from shapely.geometry import Point, Polygon, box
 
-from popsim.beside import Beside
+from popsim.beside import begun
 from popsim.design import Card, dump_design
 from popsim.errors import GeometryError
 from popsim.geometry.surface import Material, Surface
@@ -96,7 +96,7 @@ def test_printing_leaves_no_threads_of_opencv_that_a_forked_process_would_wait_f
 
     assert plain_box.images
     assert cv2.getNumThreads() == 1
-    assert Beside(lambda: cv2.setNumThreads(1)).result() is None
+    assert begun(cv2.setNumThreads, [1])() == [None]
 
 
 def truck():
