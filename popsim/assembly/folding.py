@@ -1,12 +1,12 @@
 """Folding what is glued so far, by a run of its own in simulation."""
 
-from collections.abc import Collection
 from functools import cached_property
 
 import numpy as np
 
 from popsim.assembly.evidence import Folded
 from popsim.assembly.kit import Kit
+from popsim.assembly.proof import Proof
 from popsim.design import Card, Design, Hinge, Patch
 from popsim.geometry.arrays import FloatArray
 from popsim.layout import Joint, Part
@@ -32,9 +32,10 @@ class Folding:
         frames = np.unique([kit.reference.frame(theta) for theta in wanted])
         self._frames = frames[np.degrees(kit.reference.theta[frames]) < OPENED + LATER]
 
-    def folded(self, parts: Collection[str], joints: Collection[str]) -> Folded:
-        """How parts that hang together by some joints and creases fold; all by their ids."""
-        kit, names = self._kit, {_hinge_id(joint) for joint in joints}
+    def folded(self, proof: Proof) -> Folded:
+        """How what is there after a step folds by all joints that are made then."""
+        made = {name for bundle in proof.apart for name in bundle.joints} | set(proof.joints)
+        kit, parts, names = self._kit, proof.motion, {_hinge_id(joint) for joint in made}
         root = kit.ground(parts) or next(name for name in kit.layout.parts if name in parts)
         structure = self._whole.only(parts, names, root)
         poses = [kit.reference.poses[patch.id][self._frames] for patch in structure.design.patches]

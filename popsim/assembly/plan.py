@@ -7,7 +7,7 @@ from typing import Any
 from popsim import wording
 from popsim.assembly.at_once import glued_together
 from popsim.assembly.ease import Ease, ease_of
-from popsim.assembly.evidence import Evidence
+from popsim.assembly.evidence import Evidence, Folded
 from popsim.assembly.faces import turns
 from popsim.assembly.folding import Folding
 from popsim.assembly.kind import StepKind
@@ -20,6 +20,7 @@ from popsim.assembly.telling import cutting_text, gluing_text, unproved_text
 from popsim.assembly.twins import apart
 from popsim.assembly.unmaking import Order, find_order
 from popsim.assembly.way import Way
+from popsim.beside import begun
 from popsim.layout import Layout, Piece
 from popsim.simulation import Sweep
 
@@ -80,8 +81,10 @@ def plan_assembly(layout: Layout, sweep: Sweep) -> AssemblyPlan:
     numbered = replace(layout, numbers={name: k for k, name in enumerate(order, 1)})
     steps = _Steps(kit, numbered)
     steps.add(StepKind.CUT, (), cutting_text(numbered), pieces=tuple(piece.name for piece in layout.pieces))
-    for proof in proofs:
-        steps.prove(proof)
+    folding = Folding(kit)
+    folded = begun(lambda proof: folding.folded(proof) if proof.joints else None, proofs)
+    for proof, result in zip(proofs, folded(), strict=True):
+        steps.prove(proof, result)
     for name in found.left:
         steps.doubt(name, found)
     steps.add(StepKind.FINISH, (), wording.CLOSING, before=finished(kit))
@@ -95,20 +98,21 @@ class _Steps:
 
     def __init__(self, kit: Kit, numbered: Layout) -> None:
         self.made: list[Step] = []
-        self._kit, self._numbered, self._folding = kit, numbered, Folding(kit)
+        self._kit, self._numbered = kit, numbered
         self._pieces: set[str] = set()
         self._joints: frozenset[str] = frozenset()
         self._folded: list[Piece] = []
 
-    def prove(self, proof: Proof) -> None:
-        """Add a step that was executed; what is only folded over is told with the next one that shows it."""
+    def prove(self, proof: Proof, folded: Folded | None) -> None:
+        """Add a step that was executed, and after which what is glued folded as `folded` says.
+
+        What is only folded over (None) is told with the next step that shows it.
+        """
         layout = self._kit.layout
-        if not proof.joints:
+        if folded is None:
             self._folded += [piece for piece in layout.pieces if not proof.movers.isdisjoint(piece.motions)]
             return
         before, after, moved = scenes(self._kit, proof, self._joints)
-        whole = {name for bundle in proof.apart for name in bundle.joints} | set(proof.joints)
-        folded = self._folding.folded(proof.motion, whole)
         refusal = folded.refusal
         evidence = Evidence(
             refusal or proof.way.value,

@@ -6,6 +6,7 @@ from pathlib import Path
 import numpy as np
 
 from popsim.assembly import AssemblyPlan, plan_assembly
+from popsim.beside import begun
 from popsim.design import Design
 from popsim.export import Printing, export
 from popsim.gluing import FlapContact, find_flap_contacts, keeping_clear
@@ -70,9 +71,10 @@ def plan_sheets(design: Design, sweep: Sweep, *, paper: str, settings: LayoutSet
     if not sweep.complete:
         return Planned(plan_assembly(lay_out(design, paper=paper, settings=settings), sweep), None)
     clear = keeping_clear(sweep, settings.thickness)
-    plan = plan_assembly(lay_out(design, paper=paper, settings=settings, in_the_way=clear), sweep)
-    contacts = find_flap_contacts(plan.layout.parts, plan.layout.flaps, sweep, settings.thickness)
-    return Planned(plan, contacts)
+    layout = lay_out(design, paper=paper, settings=settings, in_the_way=clear)
+    contacts = begun(lambda own: find_flap_contacts(own.parts, own.flaps, sweep, settings.thickness), [layout])
+    plan = plan_assembly(layout, sweep)
+    return Planned(plan, contacts()[0])
 
 
 def export_sheets(

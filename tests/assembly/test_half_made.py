@@ -60,10 +60,7 @@ def test_what_is_glued_folds_flat_after_each_step(seed: int) -> None:
 def test_hands_lead_what_is_free_and_ever_less_of_it() -> None:
     """In a box each loop that is closed takes freedom away; nothing that is glued gives any back."""
     folding, order = Folding(kit()), [proof for proof in find_order(kit()).proofs if proof.joints]
-    led = [
-        folding.folded(proof.motion, {name for one in proof.apart for name in one.joints} | set(proof.joints)).led
-        for proof in order
-    ]
+    led = [folding.folded(proof).led for proof in order]
     assert max(led) > 1
     assert led[-1] == 1
 
@@ -266,8 +263,7 @@ def test_what_is_half_made_follows_the_hands_where_halves_of_patches_hang_on_one
     assert any(joint.hinge is None for joint in ready.layout.joints)
     folding = Folding(ready)
     for proof in [proof for proof in find_order(ready).proofs if proof.joints][:8]:
-        whole = {name for one in proof.apart for name in one.joints} | set(proof.joints)
-        assert folding.folded(proof.motion, whole).refusal is None
+        assert folding.folded(proof).refusal is None
 
 
 @pytest.mark.parametrize(
