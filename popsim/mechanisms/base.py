@@ -5,7 +5,7 @@ from collections.abc import Iterator, Mapping
 from copy import copy
 from dataclasses import dataclass, field, fields
 from functools import cached_property
-from math import hypot, sqrt
+from math import hypot, isnan, sqrt
 from typing import Any, ClassVar, Literal, Self
 
 import numpy as np
@@ -35,7 +35,7 @@ BESIDE = 0.35
 BESIDE_OF_FACE = 0.3
 """and to at most this share of the side of a square as large as the face."""
 
-NO_HINGES = np.zeros((0, 2, 3))
+NO_HINGES = locked(np.zeros((0, 2, 3)), (None, 2, 3), "hinges")
 
 SHAPES: dict[str, tuple[int | None, ...]] = {
     "outline": (None, 3),
@@ -82,14 +82,14 @@ class Plate:
     room: FloatArray | None = None
     behind: float = np.inf
     beside: float = np.nan
-    hinges: FloatArray = field(default_factory=NO_HINGES.copy)
+    hinges: FloatArray = field(default_factory=lambda: NO_HINGES)
 
     def __post_init__(self) -> None:
         if self.room is None:
             object.__setattr__(self, "room", self.outline)
         for name, shape in SHAPES.items():
             object.__setattr__(self, name, locked(getattr(self, name), shape, f"{name} of {self.role}"))
-        if np.isnan(self.beside):
+        if isnan(self.beside):
             object.__setattr__(self, "beside", min(BESIDE * self.behind, BESIDE_OF_FACE * sqrt(self.area)))
 
     def but(self, **changed: FloatArray | float) -> Self:

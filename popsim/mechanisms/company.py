@@ -119,7 +119,7 @@ def _below(plate: Plate, taken: tuple[tuple[float, float, float], ...]) -> Plate
     if not near:
         return plate
     face, room = (tuple(map(tuple, ring[:, ::2].tolist())) for ring in (plate.outline, plate.room))
-    ring = np.array(_beneath(face, room, near))
+    ring = _beneath(face, room, near)
     return plate.but(room=np.column_stack([ring[:, 0], np.full(len(ring), plate.outline[0, 1]), ring[:, 1]]))
 
 
@@ -128,17 +128,19 @@ def _beneath(
     face: tuple[tuple[float, float], ...],
     room: tuple[tuple[float, float], ...],
     taken: tuple[tuple[float, float, float], ...],
-) -> list[tuple[float, float]]:
-    """Corners (x, z) of what is left of a room around a face: plates of both sides have the same."""
-    from shapely import box as block
-    from shapely import union_all
-    from shapely.geometry import Polygon
+) -> FloatArray:
+    """Corners (x, z), (n, 2), of what is left of a room around a face: plates of both sides have the same."""
+    import shapely
 
-    whole, around = Polygon(face), Polygon(room)
-    top = around.bounds[3] + 1.0
-    left = union_all([whole, around.difference(union_all([block(x0, z, x1, top) for x0, x1, z in taken]))])
-    parts = [part for part in getattr(left, "geoms", [left]) if part.intersects(whole)]
-    corners: list[tuple[float, float]] = list(max(parts, key=lambda part: part.area).exterior.coords)[:-1]
+    whole, around = shapely.polygons(shapely.linearrings(face)), shapely.polygons(shapely.linearrings(room))
+    x0, x1, z = np.array(taken).T
+    blocks = shapely.box(x0, z, x1, max(z for _, z in room) + 1.0)
+    free = shapely.difference(around, blocks[0] if len(blocks) == 1 else shapely.union_all(blocks))
+    parts = shapely.get_parts(shapely.union(whole, free))
+    if len(parts) > 1:
+        parts = parts[shapely.intersects(parts, whole)]
+    largest = parts[shapely.area(parts).argmax()]
+    corners: FloatArray = shapely.get_coordinates(shapely.get_exterior_ring(largest))[:-1]
     return corners
 
 
