@@ -63,7 +63,7 @@ def _changed(state: Candidate, index: int, roles: Sequence[str], which: int, fac
     for role in roles:
         behind, beside = known.get(role, (1.0, 1.0))
         known[role] = (factor, beside) if which == 0 else (behind, factor)
-    return state.with_depths(index, known)
+    return state.with_depths(index, {role: factors for role, factors in known.items() if factors != (1.0, 1.0)})
 
 
 def _groups(plates: Sequence[Plate]) -> Iterator[list[Plate]]:

@@ -4,7 +4,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Callable
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import Literal
+from typing import ClassVar, Literal
 
 from popsim.errors import GeometryError
 from popsim.fitting.candidate import Candidate
@@ -20,9 +20,10 @@ Snap = Callable[[float, int], float]
 
 @dataclass(frozen=True)
 class Move(ABC):
-    """A change of one node, by its index."""
+    """A change of one node, by its index; `steps` tells whether it depends on a step."""
 
     index: int
+    steps: ClassVar[bool] = True
 
     @abstractmethod
     def made(self, state: Candidate, step: float, snap: Snap) -> Candidate | None:
@@ -32,6 +33,8 @@ class Move(ABC):
 @dataclass(frozen=True)
 class Remove(Move):
     """Take a node away, and what stands on it."""
+
+    steps = False
 
     def made(self, state: Candidate, step: float, snap: Snap) -> Candidate | None:
         fewer = state.without(self.index)
@@ -63,6 +66,7 @@ class Merge(Move):
 
     border: int
     keep: Literal[0, 1]
+    steps = False
 
     def made(self, state: Candidate, step: float, snap: Snap) -> Candidate | None:
         row = state.nodes[self.index].primitive

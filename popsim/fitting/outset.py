@@ -14,13 +14,13 @@ from popsim.fitting.refit import Climber, Value, valued
 from popsim.fitting.settings import FitSettings
 from popsim.fitting.subject import Subject
 
-BUDGET, LAST_BUDGET = 40, 180
+BUDGET, LAST_BUDGET = 34, 160
 """Evaluations for refitting at first, and for completing."""
 
 FINE = 2
 """Times as many pixels a side by which borders find their last place."""
 
-FINE_STEPS, FINE_BUDGET = (0.6, 0.25), 80
+FINE_STEPS, FINE_BUDGET = (0.6, 0.25), 66
 """Cells by which borders are moved at last, and evaluations for that."""
 
 THINNEST = 0.03

@@ -19,6 +19,9 @@ ADDITIONS = 4
 BETTER = 2e-4
 """Least gain that counts; below is noise of the pixels."""
 
+MUCH = 0.005
+"""Gain or loss that is much: of 400 changes that lost as much, 3 were worth it when they were tried again."""
+
 Value = Known[Candidate, float]
 
 
@@ -46,28 +49,35 @@ class Climber:
     def refit(self, state: Candidate, budget: int, steps: Sequence[float] = STEPS) -> Candidate:
         """Make changes that improve, in coarse steps (cells) first, with at most `budget` evaluations.
 
-        Changes are tried in turn, all round; one that improves is tried again at once.
+        Changes are tried in turn, all round. One that improves is tried again at once; one that makes it much
+        worse is not, with that step, before another one has made it much better.
         """
         score = self.value(state)
         for step in steps:
-            position = 0
+            position, worse, ways = 0, set[Move](), _moves(state, step)
             while budget > 0:
-                ways = moves(state)
-                tries, better = self._better(state, ways[position:] + ways[:position], step, score, budget)
+                left = [way for way in ways[position:] + ways[:position] if way not in worse]
+                tries, better = self._better(state, left, step, score, budget, worse)
                 budget -= tries
                 if better is None:
                     break
-                taken, state, score = better
-                same = len(moves(state)) == len(ways)
-                position = (position + taken) % len(ways) if same else 0
+                way, state, found = better
+                before, ways = ways, _moves(state, step)
+                position = ways.index(way) if ways == before else 0
+                if ways != before or found > score + MUCH:
+                    worse.clear()
+                score = found
         return state
 
     def _better(
-        self, state: Candidate, ways: Sequence[Move], step: float, score: float, budget: int
-    ) -> tuple[int, tuple[int, Candidate, float] | None]:
-        """How many changes were evaluated, and the first that improves: its place, what it leads to, its value."""
+        self, state: Candidate, ways: Sequence[Move], step: float, score: float, budget: int, worse: set[Move]
+    ) -> tuple[int, tuple[Move, Candidate, float] | None]:
+        """How many changes were evaluated, and the first that improves: what it leads to, and its value.
+
+        Such as make it much worse are put into `worse`.
+        """
         count = 0
-        for place, way in enumerate(ways):
+        for way in ways:
             if count == budget:
                 break
             changed = way.made(state, step * self.grower.volume.cell, self._snapped)
@@ -76,7 +86,9 @@ class Climber:
             count += 1
             found = self.value(changed)
             if found > score + BETTER and changed.holds():
-                return count, (place, changed, found)
+                return count, (way, changed, found)
+            if found < score - MUCH:
+                worse.add(way)
         return count, None
 
     def _added(self, state: Candidate) -> Candidate | None:
@@ -92,3 +104,8 @@ class Climber:
         volume = self.grower.volume
         low, high = volume.reach(axis)
         return min(max(self.grower.planes.snap(position, axis, NEAR * volume.cell), low), high)
+
+
+def _moves(state: Candidate, step: float) -> list[Move]:
+    """The changes of a state that are tried with a step (cells); such as know no step with the coarsest only."""
+    return [move for move in moves(state) if move.steps or step == max(STEPS)]

@@ -31,6 +31,9 @@ AS_PUBLISHED = {"hotel": 18, "tower": 2}
 """Patches of two box-folds and of one tent-fold: what Fig. 16 shows."""
 
 QUICK = RunSettings(patches=PatchSettings(dpi=40))
+LOADING = "skewed_cube/skewed_cube.off"
+"""Fitted first, so that compiled code is there; what is measured is asked for once, as a user asks."""
+
 FASTER = 10.0
 """Than the decomposition: what is asked of fitting."""
 
@@ -69,8 +72,9 @@ def test_fitting_beside_convex_decomposition(
     prepared = prepare(path, Stance(), 150.0, 0)
     points, index = np.unique(prepared.surface.triangles.reshape(-1, 3).round(6), axis=0, return_inverse=True)
     mesh = coacd.Mesh(points, index.reshape(-1, 3))
+    abstract(prepare(models / LOADING, Stance(), 150.0, 0), FitSettings(), 0)
     parts: list[object] = []
-    ours = cpu_seconds(lambda: abstract(prepared, FitSettings(), 0))
+    ours = cpu_seconds(lambda: abstract(prepared, FitSettings(), 0), rounds=1)
     theirs = cpu_seconds(lambda: parts.extend(coacd.run_coacd(mesh, seed=0)), rounds=1)
     heads = ("triangles", "fitting, s", "CoACD, s", "convex parts", "ratio")
     report(f"fitting {name} beside CoACD", heads, [(len(index) // 3, ours, theirs, len(parts), theirs / ours)])
