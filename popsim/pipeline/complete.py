@@ -36,7 +36,8 @@ def complete(
     while True:
         run = run_design(path, settings, progress)
         try:
-            return run, deliver(run, folder, command=command, footer=footer(run), force=force)
+            made = deliver(run, folder, command=command, footer=footer(run), force=force, progress=progress)
+            return run, made
         except NoFlapError as error:
             cut = settings.patches
             if cut.share(error.patches) == 1 or len(cut.held) == ROUNDS:

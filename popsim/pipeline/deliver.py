@@ -16,7 +16,7 @@ from popsim.pipeline.planned import Planned, plan_sheets
 from popsim.pipeline.prints import write_prints
 from popsim.pipeline.report import report_of
 from popsim.pipeline.review import bare_sides
-from popsim.pipeline.run import DesignRun
+from popsim.pipeline.run import DesignRun, Progress
 from popsim.pipeline.wishes import wishes_text
 from popsim.verification import verify
 
@@ -35,7 +35,15 @@ class Delivery(NamedTuple):
     planned: Planned | None
 
 
-def deliver(run: DesignRun, folder: Path, *, command: str, footer: str, force: bool) -> Delivery:
+def deliver(
+    run: DesignRun,
+    folder: Path,
+    *,
+    command: str,
+    footer: str,
+    force: bool,
+    progress: Progress = lambda stage: None,
+) -> Delivery:
     """Plan a run and write design, textures, sheets, booklet, steps, wishes and report; all of them, or nothing.
 
     A design that failed verification is not exported, unless the settings allow it: only its wishes and its
@@ -53,9 +61,11 @@ def deliver(run: DesignRun, folder: Path, *, command: str, footer: str, force: b
     planned, fill = None, partial(_wishes_and_report, run, None, command)
     if run.verdict.passed or run.settings.allow_unverified:
         sweep = run.verdict.evidence.sweep
+        progress("planning sheets and assembly")
         picture = begun_picture(run.design, run.painted.images)
         planned = plan_sheets(run.design, sweep, paper=run.settings.paper, settings=run.settings.layout)
         fill = partial(_everything, run, planned, picture, command, footer)
+        progress("drawing sheets and booklet")
     return Delivery(fill_folder(folder, fill, force=force), planned)
 
 

@@ -32,6 +32,8 @@ def test_design_leaves_everything_that_is_promised_and_it_verifies(popsim, block
     done = popsim("design", block, "-o", "out", "--dpi", 60)
     assert done.returncode == 0, done.stderr
     assert "PASSED" in done.stdout
+    told = [line.split()[0] for line in done.stderr.splitlines()]
+    assert told == ["aligning", "fitting", "cutting", "folding", "painting", "planning", "drawing"]
     names = {str(path) for path in contents(tmp_path / "out")}
     assert {"design.json", "report.json", "sheets.pdf", "assembly.md", "popup.png"} <= names
     assert {"instructions.pdf", "instructions.html"} <= names
