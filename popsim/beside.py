@@ -133,8 +133,10 @@ def _forked(
     """
     if sys.platform != "linux" or len(os.sched_getaffinity(0)) < 2:
         return None
-    from multiprocessing import get_context
+    from multiprocessing import current_process, get_context
 
+    if current_process().daemon:  # those, as second ones are, may have none themselves
+        return None
     context = get_context("fork")
     here, there = context.Pipe()
     taken = context.Value("i", 0)

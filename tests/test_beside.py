@@ -94,3 +94,14 @@ def test_a_process_that_dies_does_not_take_the_results_along() -> None:
 def test_one_may_be_begun_beside_another_and_end_first() -> None:
     first, second = begun(squared, [1, 2]), begun(squared, [3, 4])
     assert first() == [1, 4] and second() == [9, 16]
+
+
+@TWO_CORES
+def test_a_second_process_does_alone_what_is_begun_within() -> None:
+    def nested(thing: int) -> tuple[list[int], int]:
+        return begun(squared, [thing, thing + 1])(), os.getpid()
+
+    started = begun(nested, [1, 2])
+    sleep(1.0)
+    (first, one), (second, other) = started()
+    assert (first, second) == ([1, 4], [4, 9]) and one == other != os.getpid()

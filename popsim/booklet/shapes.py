@@ -12,6 +12,7 @@ from popsim.geometry.flat import GRID, move
 from popsim.layout.sheet import Area, Line, Mark
 
 if TYPE_CHECKING:
+    from shapely.geometry import Polygon
     from shapely.geometry.base import BaseGeometry
 
 SMALLEST = 0.02
@@ -70,16 +71,14 @@ def drawn(shapes: Iterable[Shape]) -> Iterator[Mark]:
     dimensions = shapely.get_dimensions(parts)
     areas, lines = (dimensions == 2) & (shapely.area(parts) > SMALLEST), dimensions == 1
     marks: list[tuple[int, Mark]] = [
-        (
-            owner,
-            Area(
-                ranked[owner].ink, tuple(np.array(ring.coords)[:-1] for ring in (part.exterior, *part.interiors))
-            ),
-        )
-        for part, owner in zip(parts[areas], owners[areas], strict=True)
+        (owner, _area(ranked[owner].ink, part)) for part, owner in zip(parts[areas], owners[areas], strict=True)
     ]
-    marks += [(owner, line) for owner, line in _lines(ranked, parts[lines], owners[lines])]
+    marks += _lines(ranked, parts[lines], owners[lines])
     yield from (mark for _, mark in sorted(marks, key=lambda marked: marked[0]))
+
+
+def _area(ink: Ink, part: "Polygon") -> Area:
+    return Area(ink, tuple(np.array(ring.coords)[:-1] for ring in (part.exterior, *part.interiors)))
 
 
 def _lines(ranked: Sequence[Shape], parts: FloatArray, owners: IntArray) -> Iterator[tuple[int, Line]]:
