@@ -2,6 +2,7 @@
 
 import os
 from collections.abc import Callable, Sequence
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -9,6 +10,16 @@ import pytest
 Report = Callable[[str, Sequence[str], Sequence[Sequence[object]]], None]
 
 TABLES = pytest.StashKey[list[str]]()
+
+
+@pytest.fixture(scope="session")
+def compiled(models: Path) -> None:
+    """All compiled code of fitting is loaded: a small model was fitted before."""
+    from popsim.fitting import FitSettings
+    from popsim.pipeline.abstract import abstract
+    from popsim.pipeline.prepare import Stance, prepare
+
+    abstract(prepare(models / "skewed_cube" / "skewed_cube.off", Stance(), 150.0, 0), FitSettings(), 0)
 
 
 @pytest.fixture

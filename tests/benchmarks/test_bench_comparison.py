@@ -31,9 +31,6 @@ AS_PUBLISHED = {"hotel": 18, "tower": 2}
 """Patches of two box-folds and of one tent-fold: what Fig. 16 shows."""
 
 QUICK = RunSettings(patches=PatchSettings(dpi=40))
-LOADING = "skewed_cube/skewed_cube.off"
-"""What is fitted first, for the compiled code."""
-
 FASTER = 10.0
 """How many times faster than the decomposition fitting is in the mean; half of that for each model."""
 
@@ -62,11 +59,11 @@ def _measured(run: DesignRun) -> tuple[object, ...]:
     return len(run.fit.mechanisms), len(run.design.popup_patches), *shown, run.verdict.passed
 
 
+@pytest.mark.usefixtures("compiled")
 def test_fitting_beside_convex_decomposition(models: Path, shared_meshes: Path, report: Report) -> None:
-    """Each model is fitted once, as by whoever designs it, with all compiled code loaded before."""
+    """Each model is fitted once, as by whoever designs it."""
     coacd = pytest.importorskip("coacd", reason="the extra `bench` is not installed")
     coacd.set_log_level("error")
-    abstract(prepare(models / LOADING, Stance(), 150.0, 0), FitSettings(), 0)
     rows, ratios = [], []
     for path in (
         *(models / name for name in ("truck/truck.obj", *OWN)),

@@ -2,6 +2,7 @@
 
 from pathlib import Path
 
+import pytest
 from conftest import Report, cpu_seconds, exponent
 
 from popsim.fitting import Subject, fit, measure_volume
@@ -13,6 +14,7 @@ from popsim.pipeline.prepare import Stance, prepare
 POINTS = (5_000, 20_000, 80_000)
 
 
+@pytest.mark.usefixtures("compiled")
 def test_fitting(models: Path, report: Report) -> None:
     prepared = prepare(models / "truck" / "truck.obj", Stance(), 150.0, seed=0)
     scene = prepared.scene.opaque()
