@@ -73,6 +73,11 @@ class Appearance:
         """Look at the model now rather than when it is first asked for: a second process cannot send rays."""
         _ = self._distance, self._drawing
 
+    @property
+    def fronts(self) -> Fronts:
+        """The model as it looks along the axes."""
+        return self._drawing.fronts
+
     @cached_property
     def _drawing(self) -> Drawing:
         return Drawing(self.views, Fronts.of(self.scene, self.bounds, self.grain))

@@ -1,5 +1,6 @@
 """The model seen along the three axes from both ends: what the contours of plates will be cut after."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
@@ -12,6 +13,12 @@ from popsim.geometry.arrays import FloatArray
 
 if TYPE_CHECKING:
     from popsim.rendering.ray_scene import RayScene
+
+UNLIKE = 0.005
+"""Share of what two models show along the axes that may differ, for them to be the same."""
+
+SHIFTED = 1e-6
+"""By how much, as a share of its size, a box may lie elsewhere and still count as the same."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -64,6 +71,13 @@ class Fronts:
         """How far out the model reaches along an axis (0 x, 1 y, 2 z), seen from its high (1) or low (-1) end."""
         return self._ends[axis][0 if sign > 0 else 1]
 
+    def same_as(self, other: "Fronts") -> bool:
+        """Whether another model, or this one over another fold, looks the same along all axes."""
+        if np.abs(self.bounds - other.bounds).max() > SHIFTED * np.ptp(self.bounds, axis=0).max():
+            return False
+        pairs = zip(self.maps, other.maps, strict=True)
+        return alike([pair for ends in pairs for pair in zip(*ends, strict=True)], self.pixel)
+
     @cached_property
     def _ends(self) -> tuple[tuple[Ends, Ends], ...]:
         found = []
@@ -77,3 +91,19 @@ class Fronts:
                 )
             )
         return tuple(found)
+
+
+def alike(pairs: Sequence[tuple[FloatArray, FloatArray]], pixel: float) -> bool:
+    """Whether of each two maps one shows what the other does, but for little."""
+    if any(one.shape != other.shape for one, other in pairs):
+        return False
+    unlike = sum(_unlike(one, other, pixel) for one, other in pairs)
+    return unlike <= UNLIKE * sum(np.count_nonzero(np.isfinite(one)) for one, _ in pairs)
+
+
+def _unlike(one: FloatArray, other: FloatArray, pixel: float) -> int:
+    """In how many pixels only one of two maps shows something, or both at depths farther apart than a pixel."""
+    shown, also = np.isfinite(one), np.isfinite(other)
+    with np.errstate(invalid="ignore"):  # where both show nothing
+        apart = np.abs(one - other) > pixel
+    return int(np.count_nonzero((shown != also) | (shown & also & apart)))

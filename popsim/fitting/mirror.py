@@ -6,18 +6,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from popsim.fitting.fronts import Fronts
+from popsim.fitting.fronts import SHIFTED, Fronts, alike
 from popsim.fitting.kernels.records import FloatImage
 from popsim.fitting.shape import ACROSS, shape_of
 from popsim.fitting.views import Picture, Views
 from popsim.geometry.arrays import FloatArray, IntArray
 from popsim.mechanisms import Plate
-
-UNLIKE = 0.005
-"""Share of what a model shows along the axes that may differ from its mirror image, for it to be the same."""
-
-CENTRED = 1e-6
-"""By how much, as a share of its size, a box may lie off the fold and still count as the same on both sides."""
 
 ON_FOLD = 1e-6
 """mm; corners nearer to the plane over the fold lie in it."""
@@ -26,7 +20,7 @@ ON_FOLD = 1e-6
 def same_on_both_sides(fronts: Fronts) -> bool:
     """Whether a model is its own mirror image at the plane y = 0, as far as its fronts tell."""
     low, high = fronts.bounds
-    if abs(low[1] + high[1]) > CENTRED * (high - low).max():
+    if abs(low[1] + high[1]) > SHIFTED * (high - low).max():
         return False
     (front, back), (left, right), (top, bottom) = fronts.maps
     pairs = [
@@ -36,16 +30,7 @@ def same_on_both_sides(fronts: Fronts) -> bool:
         (top, top[:, ::-1]),
         (bottom, bottom[:, ::-1]),
     ]
-    unlike = sum(_unlike(one, other, fronts.pixel) for one, other in pairs)
-    return unlike <= UNLIKE * sum(np.count_nonzero(np.isfinite(one)) for one, _ in pairs)
-
-
-def _unlike(one: FloatArray, other: FloatArray, pixel: float) -> int:
-    """In how many pixels only one of two maps shows something, or both at depths farther apart than a pixel."""
-    shown, also = np.isfinite(one), np.isfinite(other)
-    with np.errstate(invalid="ignore"):  # where both show nothing
-        apart = np.abs(one - other) > pixel
-    return int(np.count_nonzero((shown != also) | (shown & also & apart)))
+    return alike(pairs, fronts.pixel)
 
 
 @lru_cache(maxsize=8192)

@@ -35,7 +35,8 @@ class State(NamedTuple):
 def search(outsets: Sequence[Outset]) -> State | None:
     """Find the candidate of greatest value that grows from an outset and keeps all conditions.
 
-    Each fold that is not hopeless has its share of the work.
+    Each fold that is not hopeless has its share of the work; one over which the model looks as over another has
+    none.
 
     Returns
     -------
@@ -55,7 +56,7 @@ def search(outsets: Sequence[Outset]) -> State | None:
     for outset in outsets:
         outset.coarse.look()
     with two_processes(begin, refit, complete) as share:
-        ways = [(number, manner) for number in range(len(outsets)) for manner in MANNERS]
+        ways = [(number, manner) for number in _distinct(outsets) for manner in MANNERS]
         begun = zip(ways, share(begin, ways), strict=True)
         starts = [State(number, candidate, manner) for (number, manner), candidate in begun if candidate.nodes]
         left = _ranked(_different(starts), outsets)
@@ -69,6 +70,12 @@ def search(outsets: Sequence[Outset]) -> State | None:
             reached = zip(chosen, share(further, chosen), strict=True)
             left = _ranked([state._replace(candidate=found) for state, found in reached], outsets)
     return left[0][0]
+
+
+def _distinct(outsets: Sequence[Outset]) -> list[int]:
+    """Numbers of outsets over whose folds the model looks otherwise than over earlier ones."""
+    fronts = [outset.coarse.fronts for outset in outsets]
+    return [k for k, own in enumerate(fronts) if not any(own.same_as(other) for other in fronts[:k])]
 
 
 def _different(states: Sequence[State]) -> list[State]:
