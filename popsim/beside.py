@@ -6,6 +6,7 @@ is lost in the second one the first one does it again.
 """
 
 import os
+import signal
 import sys
 import warnings
 from collections.abc import Callable, Iterator, Sequence
@@ -66,12 +67,11 @@ class Second:
         return finish
 
     def close(self) -> None:
-        """Let it end."""
+        """End it, whatever it does: a run that is broken off waits for nothing."""
         if self._started is not None:
             pipe, process, _ = self._started
-            with suppress(OSError):
-                pipe.send(None)  # a later second process may hold the pipe open, so that closing it says nothing
             pipe.close()
+            process.kill()
             process.join()
 
 
@@ -144,7 +144,12 @@ def _forked(
     with warnings.catch_warnings():
         # of Python 3.12 on: forking beside threads; the second process needs none of their locks
         warnings.simplefilter("ignore", DeprecationWarning)
-        process.start()
+        # whoever interrupts a run means the first process: the second one starts with that signal held back
+        held = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+        try:
+            process.start()
+        finally:
+            signal.pthread_sigmask(signal.SIG_SETMASK, held)
     there.close()
     return here, process, taken
 
@@ -155,11 +160,11 @@ def _serve(
     works: tuple[Callable[[Any], Any], ...],
     taken: "Synchronized[int]",
 ) -> None:
-    """Do what is asked until whoever asks is through, or gone."""
+    """Do what is asked until whoever asks is gone."""
     asking.close()
     with suppress(EOFError, OSError):
-        while (asked := pipe.recv()) is not None:
-            number, things = asked
+        while True:
+            number, things = pipe.recv()
             found = {}
             for place in _taking(taken, len(things)):
                 with suppress(Exception):

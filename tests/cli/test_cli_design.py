@@ -2,7 +2,12 @@
 
 import inspect
 import json
+import os
+import signal
+import subprocess
+import sys
 from pathlib import Path
+from time import sleep
 
 import pytest
 
@@ -47,6 +52,23 @@ def test_design_leaves_everything_that_is_promised_and_it_verifies(popsim, block
     checked = popsim("verify", "out/design.json", "--report", "verdict.json")
     assert checked.returncode == 0, checked.stdout
     assert json.loads((tmp_path / "verdict.json").read_text())["passed"] is True
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows interrupts otherwise")
+@pytest.mark.parametrize("stage", ["fitting", "drawing"])
+def test_interrupted_it_leaves_no_file_and_no_word_of_a_second_process(
+    stage: str, block: Path, tmp_path: Path
+) -> None:
+    """Ctrl-C goes to all processes of a run; now and then a library swallows it, and the run goes on."""
+    words = [sys.executable, "-m", "popsim", "design", block, "-o", tmp_path / "out", "--dpi", "60"]
+    with subprocess.Popen(words, stderr=subprocess.PIPE, text=True, start_new_session=True) as run:
+        assert run.stderr is not None
+        next(line for line in run.stderr if line.startswith(stage))
+        sleep(0.1)
+        os.killpg(run.pid, signal.SIGINT)
+        assert "beside.py" not in run.stderr.read(), "the second process tells of it"
+    names = {str(path) for path in contents(tmp_path / "out")}
+    assert (run.returncode, names) == (130, set()) or (run.returncode == 0 and "report.json" in names)
 
 
 def test_test_build_is_printed_beside_the_design_and_goes_with_it(popsim, block: Path, tmp_path: Path) -> None:
