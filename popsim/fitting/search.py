@@ -53,10 +53,11 @@ def search(outsets: Sequence[Outset]) -> State | None:
     def complete(state: State) -> Candidate:
         return outsets[state.outset].completed(state.candidate)
 
-    for outset in outsets:
-        outset.coarse.look()
+    numbers = _distinct(outsets)
+    for number in numbers:
+        outsets[number].coarse.look()
     with two_processes(begin, refit, complete) as share:
-        ways = [(number, manner) for number in _distinct(outsets) for manner in MANNERS]
+        ways = [(number, manner) for number in numbers for manner in MANNERS]
         begun = zip(ways, share(begin, ways), strict=True)
         starts = [State(number, candidate, manner) for (number, manner), candidate in begun if candidate.nodes]
         left = _ranked(_different(starts), outsets)
