@@ -18,7 +18,7 @@ from popsim.simulation import Sweep
 
 PICTURE = "popup.png"
 SIZE = 480, 360
-"""Name of the picture of the cover, and its pixels."""
+"""The picture of the finished pop-up on the cover: its name in the folder of the design, and its pixels."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -40,10 +40,6 @@ class Booklet:
         Of the model.
     facts:
         How much there is to do, in a line.
-    picture:
-        Path of the picture of the finished pop-up, relative to the folder of the design.
-    aspect:
-        Width of the picture by its height.
     entries:
         The steps.
     banner:
@@ -54,8 +50,6 @@ class Booklet:
 
     name: str
     facts: str
-    picture: str
-    aspect: float
     entries: tuple[Entry, ...]
     banner: str | None
     checks: tuple[str, ...]
@@ -108,4 +102,4 @@ def begun_booklet(
         paper=layout.paper.name,
         steps=wording.counted(len(plan.steps), wording.STEPS),
     )
-    return lambda: Booklet(name, facts, PICTURE, SIZE[0] / SIZE[1], tuple(entries()), banner, checks)
+    return lambda: Booklet(name, facts, tuple(entries()), banner, checks)

@@ -5,7 +5,7 @@ from html import escape
 from pathlib import Path
 
 from popsim import wording
-from popsim.booklet.booklet import Booklet
+from popsim.booklet.booklet import PICTURE, Booklet
 from popsim.booklet.inks import STYLE
 from popsim.booklet.legend import legend
 from popsim.export.svg import inline_svg
@@ -35,7 +35,7 @@ FRAME = """<!doctype html>
 
 def page_of(booklet: Booklet, root: Path) -> str:
     """The whole page; pictures are read from the folder `root` and put into it."""
-    content, kind = packed_texture(root, booklet.picture)
+    content, kind = packed_texture(root, PICTURE)
     source = f"data:image/{kind.lower()};base64,{b64encode(content).decode()}"
     parts = [
         f'<h1>{escape(wording.TITLE)}</h1><p class="name">{escape(booklet.name)}</p>',

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from popsim import wording
-from popsim.booklet.booklet import Booklet, Entry
+from popsim.booklet.booklet import PICTURE, SIZE, Booklet, Entry
 from popsim.booklet.column import Column, text_height
 from popsim.booklet.format import GAP, Format
 from popsim.booklet.inks import Ink
@@ -44,13 +44,11 @@ def _cover(booklet: Booklet, form: Format) -> Column:
     column.skip(2.0)
     column.paragraph(booklet.name, NAME, Ink.NOTE)
     column.skip(8.0)
-    height = form.width / booklet.aspect
+    height = form.width / (SIZE[0] / SIZE[1])
     column.skip(height)
     frame = np.array([[form.width, 0, column.left], [0, height, column.top], [0, 0, 1.0]])
     corners = np.array([[0, 0], [form.width, 0], [form.width, height], [0, height]])
-    column.marks.append(
-        Picture(Ink.PICTURE, booklet.picture, frame, (corners + np.array([column.left, column.top]),))
-    )
+    column.marks.append(Picture(Ink.PICTURE, PICTURE, frame, (corners + np.array([column.left, column.top]),)))
     column.skip(8.0)
     column.paragraph(booklet.facts, form.body)
     if booklet.banner is not None:
