@@ -16,16 +16,18 @@ LEAST = 2
 """Cells; smaller parts belong to their neighbours."""
 
 
+def may_have_legs(plate: Shape, deepest: float) -> bool:
+    """Whether a plate may show any, where what it shows lies at most so deep behind it, mm."""
+    return deepest > SET_BACK * plate.behind and plate.principal and abs(plate.outward[0]) >= ACROSS
+
+
 def legs(plate: Shape, own: Held) -> BoolArray | None:
-    """Cells of a plate, held against a model, that show parts standing back beneath nearer ones; None for none.
+    """Cells of a plate that may have legs, held against a model, that show such; None for none.
 
     The second axis of the cells leads upward.
     """
-    back = SET_BACK * plate.behind
-    if own.deepest <= back or not plate.principal or abs(plate.outward[0]) < ACROSS:
-        return None
     shown = own.face | own.beyond
-    deep = shown & (own.behind > back)
+    deep = shown & (own.behind > SET_BACK * plate.behind)
     depth = np.where(shown, own.behind, np.inf).T[::-1]
     labels = _parts(deep).T[::-1]
     found = legs_among(labels, depth, _face(own.inside.T[::-1]), lambda part: bool(part.sum() >= LEAST))

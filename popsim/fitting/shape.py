@@ -28,6 +28,7 @@ class Shape(NamedTuple):
     room: FloatArray
     outward: FloatArray
     hinges: FloatArray
+    taken: FloatArray
     behind: float
     beside: float
     principal: bool
@@ -37,23 +38,18 @@ class Shape(NamedTuple):
 
 @lru_cache(maxsize=8192)
 def shape_of(plate: Plate, *, across: bool) -> Shape:
-    """The shape of a plate, or of its mirror image where `across`: corners and hinges rounded and in one order."""
+    """The shape of a plate, or of its mirror image where `across`: corners and hinges rounded, hinges in order."""
     assert plate.room is not None  # plates give themselves room
-    places = np.concatenate([plate.outline, plate.room, plate.hinges.reshape(-1, 3), plate.outward[None]])
-    points = (np.round(places * ACROSS if across else places, DIGITS) + 0.0).tolist()
+    lines = plate.hinges.reshape(-1, 3)
+    places = np.concatenate([plate.outline, plate.room, plate.outward[None], lines])
+    points = (places * ACROSS if across else places).round(DIGITS) + 0.0  # there is no negative zero
     first, second = len(plate.outline), len(plate.outline) + len(plate.room)
-    ends = points[second:-1]
-    hinges = sorted({(*low, *high) for low, high in (sorted(ends[k : k + 2]) for k in range(0, len(ends), 2))})
-    corners = _ring(points[:first]), _ring(points[first:second]), points[-1], hinges
-    outline, room, outward, lines = (np.array(part, dtype=np.float64) for part in corners)
+    outline, room, outward, ends = points[:first], points[first:second], points[second], points[second + 1 :]
+    sides = iter(ends.tolist())
+    hinges = np.array(sorted({(*min(pair), *max(pair)) for pair in zip(sides, sides, strict=True)}))
     depths = round(plate.behind, DIGITS), round(plate.beside, DIGITS)
-    rest = np.array([*depths, plate.principal, plate.lies, len(outline), len(room)], dtype=np.float64)
-    key = b"".join(part.tobytes() for part in (outline, room, outward, lines, rest))
-    return Shape(outline, room, outward, lines.reshape(-1, 2, 3), *depths, plate.principal, plate.lies, key)
-
-
-def _ring(corners: list[list[float]]) -> list[list[float]]:
-    """Corners of a ring from its least one on, to the side of the lesser neighbour: whatever way it is listed."""
-    first = corners.index(min(corners))
-    turned = corners[first:] + corners[:first]
-    return [turned[0], *turned[:0:-1]] if turned[-1] < turned[1] else turned
+    taken = plate.taken.round(DIGITS)
+    rest = np.array([*depths, plate.principal, plate.lies, first, second], dtype=np.float64)
+    key = points[: second + 1].tobytes() + hinges.tobytes() + rest.tobytes() + taken.tobytes()
+    seams = hinges.reshape(-1, 2, 3)
+    return Shape(outline, room, outward, seams, taken, *depths, plate.principal, plate.lies, key)

@@ -3,7 +3,8 @@
 from dataclasses import dataclass
 
 from popsim.fitting.fronts import Fronts
-from popsim.fitting.legs import legs
+from popsim.fitting.kernels.records import Seen
+from popsim.fitting.legs import legs, may_have_legs
 from popsim.fitting.shape import Shape
 from popsim.fitting.slant import ACROSS, Slant
 from popsim.geometry.arrays import BoolArray, FloatArray
@@ -42,22 +43,24 @@ class Stencil:
         what hangs in the air there or is but a seam along the face; and no legs. Patches inside show what both
         sides hide. Strips reach for hinges that hold nowhere else.
         """
-        from popsim.fitting.kernels.stencils import held, shown
+        from popsim.fitting.kernels.stencils import held, shown, stencil
 
         slant = Slant.of(plate.outward, plate.outline[0])
-        own = held(
-            slant.seen(plate.outline),
-            slant.seen(plate.room),
+        rings = slant.seen(plate.outline), slant.seen(plate.room), slant.seen(plate.hinges)
+        seen = Seen(*rings, plate.taken, plate.behind, plate.beside, plate.principal)
+        ends, plane, walls = (
             fronts.ends(slant.axis, slant.sign),
             (slant.level, *slant.slopes),
-            (plate.behind, plate.beside),
-            plate.principal,
+            _walls(plate, slant),
         )
-        left_out = legs(plate, own)
-        if left_out is not None:
-            own = own._replace(face=own.face & ~left_out, beyond=own.beyond & ~left_out)
-        mask = shown(own, fronts.pixel, slant.seen(plate.hinges), plate.principal, _walls(plate, slant))
-        return Stencil(slant, own.low, own.grain, mask, own.inside)
+        low, grain, mask, face, deepest = stencil(seen, ends, plane, walls)
+        if may_have_legs(plate, deepest):
+            own = held(seen, ends, plane)
+            left_out = legs(plate, own)
+            if left_out is not None:
+                own = own._replace(face=own.face & ~left_out, beyond=own.beyond & ~left_out)
+                mask = shown(own, fronts.pixel, seen, walls)
+        return Stencil(slant, low, grain, mask, face)
 
 
 def _walls(plate: Shape, slant: Slant) -> tuple[bool, int, float]:

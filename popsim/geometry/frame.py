@@ -4,13 +4,13 @@ from enum import Enum
 
 import numpy as np
 
-from popsim.geometry.arrays import FloatArray
+from popsim.geometry.arrays import FloatArray, locked
 
 OPEN = np.pi
 """Fold angle of the fully open card, radians."""
 
-X_AXIS = np.array([1.0, 0.0, 0.0])
-Z_AXIS = np.array([0.0, 0.0, 1.0])
+X_AXIS, Y_AXIS, Z_AXIS = (locked(axis, (3,), "axis") for axis in np.eye(3))
+MINUS_X, MINUS_Y, MINUS_Z = (locked(-axis, (3,), "axis") for axis in (X_AXIS, Y_AXIS, Z_AXIS))
 
 
 class Side(Enum):

@@ -7,12 +7,13 @@ outside a mechanism's own file asks which mechanism it is: a new one is a new fi
 """
 
 from popsim.mechanisms.assemble import Shape, assemble
-from popsim.mechanisms.base import Joint, Mechanism, Plate, Recognition
+from popsim.mechanisms.base import Mechanism, Recognition
 from popsim.mechanisms.company import AS_THEY_ARE, Depths, plates_of, plates_together
 from popsim.mechanisms.condition import Condition
 from popsim.mechanisms.fault import Fault
 from popsim.mechanisms.members import Members
 from popsim.mechanisms.pair import BasePatchPair, PairKind, card_pair
+from popsim.mechanisms.plate import Joint, Plate
 from popsim.mechanisms.primitive import Primitive, PrismRow, RectangularPrism, TriangularPrism
 from popsim.mechanisms.registry import MECHANISMS, mechanism_type
 from popsim.mechanisms.room import Room

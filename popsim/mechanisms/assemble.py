@@ -14,8 +14,9 @@ from popsim.errors import DesignError
 from popsim.geometry.arrays import FloatArray
 from popsim.geometry.plane import area_vector
 from popsim.mechanisms.attach import held_stretches, lie_apart
-from popsim.mechanisms.base import Mechanism, Plate
+from popsim.mechanisms.base import Mechanism
 from popsim.mechanisms.company import plates_of
+from popsim.mechanisms.plate import Plate
 
 DECIMALS = 9
 """Coordinates are written to a picometre: beyond what matters, and the same on every machine."""

@@ -10,18 +10,9 @@ from numpy.random import Generator
 
 from popsim.errors import GeometryError
 from popsim.geometry.arrays import FloatArray
-from popsim.geometry.frame import X_AXIS, Z_AXIS, Side, page_direction
+from popsim.geometry.frame import MINUS_X, MINUS_Y, MINUS_Z, X_AXIS, Y_AXIS, Z_AXIS, Side, page_direction
 from popsim.geometry.rigid import Frame
-from popsim.mechanisms.base import (
-    FIRST_BASE,
-    SECOND_BASE,
-    Joint,
-    Mechanism,
-    Plate,
-    Recognition,
-    rectangle,
-    require_positive,
-)
+from popsim.mechanisms.base import Mechanism, Recognition, require_positive
 from popsim.mechanisms.box_fold_contours import (
     FIN_DEPTH,
     backbone_room,
@@ -34,6 +25,18 @@ from popsim.mechanisms.box_fold_contours import (
 from popsim.mechanisms.fault import Fault
 from popsim.mechanisms.members import Members
 from popsim.mechanisms.pair import BasePatchPair, PairKind
+from popsim.mechanisms.plate import (
+    FIRST_BASE,
+    SECOND_BASE,
+    Face,
+    Joint,
+    Kind,
+    Line,
+    Plate,
+    Point,
+    joints_from,
+    plates_from,
+)
 from popsim.mechanisms.primitive import Primitive, PrismRow, RectangularPrism
 from popsim.mechanisms.room import Room
 
@@ -105,63 +108,64 @@ class BoxFold(Mechanism):
         """Height of the highest top above the fold line."""
         return max(top.height for top in self.tops)
 
-    def profile(self, y: float) -> FloatArray:
-        """Outline of a side or the backbone in the plane y, open pose, shape (n, 3)."""
-        corners = [(self.x[0], 0.0), (self.x[1], 0.0)]
+    def profile(self, y: float) -> list[Point]:
+        """Corners of a side or the backbone in the plane y, open pose."""
+        v = self.pair.v
+        corners = [(self.x[0], y, v), (self.x[1], y, v)]
         for top in reversed(self.tops):
-            corners += [(top.x1, top.height), (top.x0, top.height)]
-        return np.array([[x, y, self.pair.v + z] for x, z in corners])
+            corners += [(top.x1, y, v + top.height), (top.x0, y, v + top.height)]
+        return corners
 
     def plates(self) -> tuple[Plate, ...]:
         w, v = self.half_width, self.pair.v
-        across = np.array([0.0, 1.0, 0.0])
-        plates = [
-            Plate("L", self.profile(w), across, room=side_room(self, w), behind=w),
-            Plate("R", self.profile(-w), -across, room=side_room(self, -w), behind=w),
-            Plate("C", self.profile(0.0), across, False, backbone_room(self), beside=FIN_DEPTH * w),
+        faces = [
+            Face("L", self.profile(w), Y_AXIS, room=side_room(self, w), behind=w),
+            Face("R", self.profile(-w), MINUS_Y, room=side_room(self, -w), behind=w),
+            Face("C", self.profile(0.0), Y_AXIS, principal=False, room=backbone_room(self), beside=FIN_DEPTH * w),
         ]
         for top, roles in zip(self.tops, self.top_roles(), strict=True):
-            ridge, depth = np.array([0.0, 0.0, v + top.height]), top_depth(self, top)
+            z, depth = v + top.height, top_depth(self, top)
             for role, sign in zip(roles, (1, -1), strict=True):
-                face = rectangle((top.x0, top.x1), ridge, ridge + sign * w * across)
-                plates.append(Plate(role, face, Z_AXIS, room=top_room(self, top, sign), behind=depth))
+                outline = [(top.x0, 0.0, z), (top.x1, 0.0, z), (top.x1, sign * w, z), (top.x0, sign * w, z)]
+                faces.append(Face(role, outline, Z_AXIS, room=top_room(self, top, sign), behind=depth))
         for end, roles in zip(self.end_pairs, self.end_roles(), strict=True):
+            outward, depth = X_AXIS if end.facing == 1 else MINUS_X, end_depth(self, end)
             for role, sign in zip(roles, (1, -1), strict=True):
-                corners = [(sign * w, end.low), (0.0, end.low), (0.0, end.high), (sign * w, end.high)]
-                face = np.array([[end.x, y, v + z] for y, z in corners])
-                room, depth = end_room(self, end, sign), end_depth(self, end)
-                plates.append(Plate(role, face, end.facing * X_AXIS, room=room, behind=depth))
-        return tuple(plates)
+                corners = ((sign * w, end.low), (0.0, end.low), (0.0, end.high), (sign * w, end.high))
+                outline = [(end.x, y, v + z) for y, z in corners]
+                faces.append(Face(role, outline, outward, room=end_room(self, end, sign), behind=depth))
+        return plates_from(faces)
 
     def joints(self) -> tuple[Joint, ...]:
         w, v = self.half_width, self.pair.v
 
-        def level(x0: float, x1: float, y: float, z: float) -> FloatArray:
-            return np.array([[x0, y, v + z], [x1, y, v + z]])
+        def level(roles: tuple[str, str], x: tuple[float, float], y: float, z: float, kind: Kind) -> Line:
+            return Line(roles, (x[0], y, v + z), (x[1], y, v + z), kind)
 
-        def upright(end: EndPair, y: float) -> FloatArray:
-            return np.array([[end.x, y, v + end.low], [end.x, y, v + end.high]])
+        def upright(roles: tuple[str, str], end: EndPair, y: float) -> Line:
+            return Line(roles, (end.x, y, v + end.low), (end.x, y, v + end.high), "fold")
 
-        joints = [
-            Joint((FIRST_BASE, "L"), level(*self.x, w, 0.0), "glue"),
-            Joint((SECOND_BASE, "R"), level(*self.x, -w, 0.0), "glue"),
-            Joint((FIRST_BASE, "C"), level(*self.x, 0.0, 0.0), "glue"),
+        lines = [
+            level((FIRST_BASE, "L"), self.x, w, 0.0, "glue"),
+            level((SECOND_BASE, "R"), self.x, -w, 0.0, "glue"),
+            level((FIRST_BASE, "C"), self.x, 0.0, 0.0, "glue"),
         ]
         for top, (ground, backdrop) in zip(self.tops, self.top_roles(), strict=True):
-            x0, x1, z = top
-            joints += [
-                Joint(("L", ground), level(x0, x1, w, z), "fold"),
-                Joint(("R", backdrop), level(x0, x1, -w, z), "fold"),
-                Joint((ground, backdrop), level(x0, x1, 0.0, z), "fold", -Z_AXIS),
-                Joint((ground, "C"), level(x0, x1, 0.0, z), "glue"),
+            x = top.x0, top.x1
+            lines += [
+                level(("L", ground), x, w, top.height, "fold"),
+                level(("R", backdrop), x, -w, top.height, "fold"),
+                level((ground, backdrop), x, 0.0, top.height, "fold")._replace(crease=MINUS_Z),
+                level((ground, "C"), x, 0.0, top.height, "glue"),
             ]
         for end, (left, right) in zip(self.end_pairs, self.end_roles(), strict=True):
-            joints += [
-                Joint(("L", left), upright(end, w), "fold"),
-                Joint(("R", right), upright(end, -w), "fold"),
-                Joint((left, right), upright(end, 0.0), "fold", end.facing * X_AXIS),
+            outward = X_AXIS if end.facing == 1 else MINUS_X
+            lines += [
+                upright(("L", left), end, w),
+                upright(("R", right), end, -w),
+                upright((left, right), end, 0.0)._replace(crease=outward),
             ]
-        return tuple(joints)
+        return joints_from(lines)
 
     def frames(self, theta: FloatArray) -> dict[str, Frame]:
         alpha = np.asarray(theta, float) / 2

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from popsim.geometry.arrays import FloatArray
+from popsim.mechanisms.plate import Point
 
 if TYPE_CHECKING:
     from popsim.mechanisms.box_fold import BoxFold, EndPair, Top
@@ -51,21 +51,21 @@ STEP_DEPTH = 0.25
 """The same on a pair above a top: room for a slanted windscreen."""
 
 
-def side_room(box: "BoxFold", y: float) -> FloatArray:
-    """Room of a side in the plane y, shape (4, 3)."""
+def side_room(box: "BoxFold", y: float) -> list[Point]:
+    """Room of a side in the plane y."""
     x0, x1 = min(box.pair.x[0], box.x[0]), max(box.pair.x[1], box.x[1])
     z0 = box.pair.v
     z1 = z0 + box.height + RISE * box.half_width
-    return np.array([[x0, y, z0], [x1, y, z0], [x1, y, z1], [x0, y, z1]])
+    return [(x0, y, z0), (x1, y, z0), (x1, y, z1), (x0, y, z1)]
 
 
-def backbone_room(box: "BoxFold") -> FloatArray:
-    """Room of the backbone: its face, and fins over the tops, shape (n, 3)."""
+def backbone_room(box: "BoxFold") -> list[Point]:
+    """Room of the backbone: its face, and fins over the tops."""
     ring = [(box.x[0], 0.0), (box.x[1], 0.0)]
     for top in reversed(box.tops):
         ring += [(top.x1, top.height), *_fin(box, top)[::-1], (top.x0, top.height)]
     corners = [point for k, point in enumerate(ring) if point != ring[k - 1]]
-    return np.array([[x, 0.0, box.pair.v + z] for x, z in corners])
+    return [(x, 0.0, box.pair.v + z) for x, z in corners]
 
 
 def _fin(box: "BoxFold", top: "Top") -> list[tuple[float, float]]:
@@ -99,11 +99,11 @@ def _swept(box: "BoxFold", end: "EndPair") -> tuple[float, float, float, float]:
     return end.facing, end.low - end.facing * end.x, near, far
 
 
-def top_room(box: "BoxFold", top: "Top", sign: int) -> FloatArray:
-    """Room of one half of a top, shape (4, 3)."""
+def top_room(box: "BoxFold", top: "Top", sign: int) -> list[Point]:
+    """Room of one half of a top."""
     far = sign * (box.half_width + min(EAVES * box.half_width, LONGEST_EAVES))
     x0, x1, z = top.x0, top.x1, box.pair.v + top.height
-    return np.array([[x, y, z] for x, y in ((x0, 0), (x1, 0), (x1, far), (x0, far))])
+    return [(x0, 0.0, z), (x1, 0.0, z), (x1, far, z), (x0, far, z)]
 
 
 def top_depth(box: "BoxFold", top: "Top") -> float:
@@ -113,8 +113,8 @@ def top_depth(box: "BoxFold", top: "Top") -> float:
     return TOP_DEPTH * (top.height - floor)
 
 
-def end_room(box: "BoxFold", end: "EndPair", sign: int) -> FloatArray:
-    """Room of one patch of an end pair, shape (7, 3).
+def end_room(box: "BoxFold", end: "EndPair", sign: int) -> list[Point]:
+    """Room of one patch of an end pair.
 
     Its ear beyond the side swings back along the side's other face and sinks by as much as it reaches out, so it
     starts that high above the base, stays below the eaves of the top behind it, and leaves half of the way to a
@@ -124,8 +124,8 @@ def end_room(box: "BoxFold", end: "EndPair", sign: int) -> FloatArray:
     behind = [end.facing * (end.x - other.x) / 2 for other in box.end_pairs if other.facing == -end.facing]
     ear = min([EARS * w, LONGEST_EARS, high - low, *(half for half in behind if half > 0)])
     peak = high + RISE * w
-    ring = [(0, low), (w, low), (w + ear, max(low, ear)), (w + ear, high), (w, high), (w, peak)]
-    return np.array([[end.x, sign * y, box.pair.v + z] for y, z in [*ring, (0, peak)]])
+    ring = [(0.0, low), (w, low), (w + ear, max(low, ear)), (w + ear, high), (w, high), (w, peak)]
+    return [(end.x, sign * y, box.pair.v + z) for y, z in [*ring, (0.0, peak)]]
 
 
 def end_depth(box: "BoxFold", end: "EndPair") -> float:

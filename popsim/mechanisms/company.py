@@ -5,9 +5,9 @@ from functools import lru_cache
 
 import numpy as np
 
-from popsim.geometry.arrays import FloatArray
-from popsim.mechanisms.base import Mechanism, Plate
+from popsim.mechanisms.base import Mechanism
 from popsim.mechanisms.pair import BasePatchPair, PairKind
+from popsim.mechanisms.plate import Plate, hinged
 
 ALONG = 0.99
 """|cos| of a normal to y above which a plate lies along the fold and upright."""
@@ -91,11 +91,7 @@ def _fitted(
 @lru_cache(maxsize=1024)
 def plates_of(mechanism: Mechanism) -> tuple[Plate, ...]:
     """The plates of a mechanism with their hinges; searches ask for the same ones again and again."""
-    lines: dict[str, list[FloatArray]] = {}
-    for joint in mechanism.joints():
-        for role in joint.roles:
-            lines.setdefault(role, []).append(joint.axis)
-    return tuple(plate.but(hinges=np.array(lines[plate.role])) for plate in mechanism.plates())
+    return hinged(mechanism.plates(), mechanism.joints())
 
 
 def _subtree_ranges(mechanisms: Sequence[Mechanism]) -> dict[str, tuple[float, float]]:
@@ -112,36 +108,10 @@ def _subtree_ranges(mechanisms: Sequence[Mechanism]) -> dict[str, tuple[float, f
 @lru_cache(maxsize=4096)
 def _below(plate: Plate, taken: tuple[tuple[float, float, float], ...]) -> Plate:
     """A plate along the fold whose room ends where others stand above it: over some x, from some height on."""
-    if plate.room is None:
-        return plate
+    assert plate.room is not None  # plates give themselves room
     (left, _, _), (right, _, top) = plate.room.min(axis=0).tolist(), plate.room.max(axis=0).tolist()
-    near = tuple((x0, x1, z) for x0, x1, z in taken if x0 < right and x1 > left and z < top)
-    if not near:
-        return plate
-    face, room = (tuple(map(tuple, ring[:, ::2].tolist())) for ring in (plate.outline, plate.room))
-    ring = _beneath(face, room, near)
-    return plate.but(room=np.column_stack([ring[:, 0], np.full(len(ring), plate.outline[0, 1]), ring[:, 1]]))
-
-
-@lru_cache(maxsize=4096)
-def _beneath(
-    face: tuple[tuple[float, float], ...],
-    room: tuple[tuple[float, float], ...],
-    taken: tuple[tuple[float, float, float], ...],
-) -> FloatArray:
-    """Corners (x, z), (n, 2), of what is left of a room around a face: plates of both sides have the same."""
-    import shapely
-
-    whole, around = shapely.polygons(shapely.linearrings(face)), shapely.polygons(shapely.linearrings(room))
-    x0, x1, z = np.array(taken).T
-    blocks = shapely.box(x0, z, x1, max(z for _, z in room) + 1.0)
-    free = shapely.difference(around, blocks[0] if len(blocks) == 1 else shapely.union_all(blocks))
-    parts = shapely.get_parts(shapely.union(whole, free))
-    if len(parts) > 1:
-        parts = parts[shapely.intersects(parts, whole)]
-    largest = parts[shapely.area(parts).argmax()]
-    corners: FloatArray = shapely.get_coordinates(shapely.get_exterior_ring(largest))[:-1]
-    return corners
+    near = [(x0, x1, z) for x0, x1, z in taken if x0 < right and x1 > left and z < top]
+    return plate.but(taken=np.array(near)) if near else plate
 
 
 @lru_cache(maxsize=4096)

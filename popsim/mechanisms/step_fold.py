@@ -7,22 +7,24 @@ import numpy as np
 from numpy.random import Generator
 
 from popsim.geometry.arrays import FloatArray
-from popsim.geometry.frame import OPEN, X_AXIS, Z_AXIS, page_direction, skew_point
+from popsim.geometry.frame import MINUS_Y, X_AXIS, Y_AXIS, Z_AXIS, Side, page_direction, skew_point
 from popsim.geometry.rigid import Frame
-from popsim.mechanisms.base import (
-    FIRST_BASE,
-    SECOND_BASE,
-    Joint,
-    Mechanism,
-    Plate,
-    Recognition,
-    rectangle,
-    require_positive,
-)
+from popsim.mechanisms.base import Mechanism, Recognition, require_positive
 from popsim.mechanisms.condition import identity
 from popsim.mechanisms.fault import Fault
 from popsim.mechanisms.members import Members
 from popsim.mechanisms.pair import BasePatchPair, PairKind
+from popsim.mechanisms.plate import (
+    FIRST_BASE,
+    SECOND_BASE,
+    Face,
+    Joint,
+    Line,
+    Plate,
+    joints_from,
+    plates_from,
+    rectangle,
+)
 from popsim.mechanisms.primitive import Primitive, RectangularPrism
 from popsim.mechanisms.room import LEAST, Room, draw, draw_interval
 
@@ -53,23 +55,25 @@ class StepFold(Mechanism):
 
     def plates(self) -> tuple[Plate, ...]:
         wall, foot, edge = self._section()
-        outward = page_direction(self.pair.side, np.array([OPEN]))[0]
+        outward = Y_AXIS if self.pair.side is Side.GROUND else MINUS_Y
         rise = min(PARAPET * self.s, self.pair.reach[1] - self.h)
-        room = rectangle(self.x, foot, edge + max(rise, 0.0) * Z_AXIS)
-        return (
-            Plate("riser", rectangle(self.x, foot, edge), outward, room=room, behind=self.s),
-            Plate("tread", rectangle(self.x, wall, edge), Z_AXIS, behind=TREAD_DEPTH * self.h),
+        room = rectangle(self.x, foot, (edge[0], edge[1] + max(rise, 0.0)))
+        return plates_from(
+            [
+                Face("riser", rectangle(self.x, foot, edge), outward, room=room, behind=self.s),
+                Face("tread", rectangle(self.x, wall, edge), Z_AXIS, behind=TREAD_DEPTH * self.h),
+            ]
         )
 
     def joints(self) -> tuple[Joint, ...]:
-        def line(point: FloatArray) -> FloatArray:
-            return np.array([[x, *point[1:]] for x in self.x])
-
+        x0, x1 = self.x
         wall, foot, edge = self._section()
-        return (
-            Joint((FIRST_BASE, "riser"), line(foot), "glue"),
-            Joint((SECOND_BASE, "tread"), line(wall), "glue"),
-            Joint(("riser", "tread"), line(edge), "fold"),
+        return joints_from(
+            [
+                Line((FIRST_BASE, "riser"), (x0, *foot), (x1, *foot), "glue"),
+                Line((SECOND_BASE, "tread"), (x0, *wall), (x1, *wall), "glue"),
+                Line(("riser", "tread"), (x0, *edge), (x1, *edge), "fold"),
+            ]
         )
 
     def frames(self, theta: FloatArray) -> dict[str, Frame]:
@@ -146,13 +150,11 @@ class StepFold(Mechanism):
 
     def faults(self) -> tuple[Fault, ...]:
         wall, _, _ = self._section()
-        head = np.array([[x, *wall[1:]] for x in self.x])
+        head = np.array([[x, *wall] for x in self.x])
         return (Fault("|S2| = |S4|", ("tread",), head, -Z_AXIS, self.h / 2),)
 
-    def _section(self) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Hinge on the wall, hinge on the floor and common fold, open pose, each (3,) with x = 0."""
-        pair, opened = self.pair, np.array([OPEN])
-        wall = skew_point(0, pair.u, pair.v + self.h, pair.side, opened)[0]
-        foot = skew_point(0, pair.u + self.s, pair.v, pair.side, opened)[0]
-        edge = skew_point(0, pair.u + self.s, pair.v + self.h, pair.side, opened)[0]
-        return wall, foot, edge
+    def _section(self) -> tuple[tuple[float, float], ...]:
+        """Hinge on the wall, hinge on the floor and common fold, open pose, each as (y, z)."""
+        pair = self.pair
+        near, far = (pair.side.value * u for u in (pair.u, pair.u + self.s))
+        return (near, pair.v + self.h), (far, pair.v), (far, pair.v + self.h)

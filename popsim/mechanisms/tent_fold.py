@@ -6,23 +6,25 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.random import Generator
 
-from popsim.geometry.arrays import FloatArray
+from popsim.geometry.arrays import FloatArray, locked
 from popsim.geometry.frame import X_AXIS, Side, page_direction
 from popsim.geometry.rigid import Frame
-from popsim.mechanisms.base import (
-    FIRST_BASE,
-    SECOND_BASE,
-    Joint,
-    Mechanism,
-    Plate,
-    Recognition,
-    rectangle,
-    require_positive,
-)
+from popsim.mechanisms.base import Mechanism, Recognition, require_positive
 from popsim.mechanisms.condition import Condition, identity
 from popsim.mechanisms.fault import Fault
 from popsim.mechanisms.members import Members
 from popsim.mechanisms.pair import BasePatchPair, PairKind
+from popsim.mechanisms.plate import (
+    FIRST_BASE,
+    SECOND_BASE,
+    Face,
+    Joint,
+    Line,
+    Plate,
+    joints_from,
+    plates_from,
+    rectangle,
+)
 from popsim.mechanisms.primitive import Primitive, TriangularPrism
 from popsim.mechanisms.room import LEAST, Room, draw, draw_interval
 
@@ -66,25 +68,25 @@ class TentFold(Mechanism):
         require_positive(self, length=self.x[1] - self.x[0], t1=self.t1, height=self.height)
 
     def plates(self) -> tuple[Plate, ...]:
-        ridge = np.array([0.0, 0.0, self.pair.v + self.height])
+        v, ridge = self.pair.v, (0.0, self.pair.v + self.height)
+        beyond, depth = self._eaves / self.t3, self.t1 * self.height / self.t3
         slopes = []
         for side, role in _SLOPES:
-            foot = np.array([0.0, side.value * self.t1, self.pair.v])
-            outward = np.array([0.0, side.value * self.height, self.t1]) / self.t3
-            room = rectangle(self.x, foot - self._eaves * (ridge - foot) / self.t3, ridge)
-            depth = self.t1 * self.height / self.t3
-            slopes.append(Plate(role, rectangle(self.x, foot, ridge), outward, room=room, behind=depth))
-        return tuple(slopes)
+            foot = (side.value * self.t1, v)
+            eaves = (foot[0] * (1 + beyond), v - beyond * self.height)
+            outward = locked([0.0, side.value * self.height / self.t3, self.t1 / self.t3], (3,), "outward")
+            room = rectangle(self.x, eaves, ridge)
+            slopes.append(Face(role, rectangle(self.x, foot, ridge), outward, room=room, behind=depth))
+        return plates_from(slopes)
 
     def joints(self) -> tuple[Joint, ...]:
-        def line(y: float, z: float) -> FloatArray:
-            return np.array([[x, y, z] for x in self.x])
-
-        v = self.pair.v
-        return (
-            Joint((FIRST_BASE, "T_3"), line(self.t1, v), "glue"),
-            Joint((SECOND_BASE, "T_4"), line(-self.t1, v), "glue"),
-            Joint(("T_3", "T_4"), line(0.0, v + self.height), "fold"),
+        (x0, x1), v, top = self.x, self.pair.v, self.pair.v + self.height
+        return joints_from(
+            [
+                Line((FIRST_BASE, "T_3"), (x0, self.t1, v), (x1, self.t1, v), "glue"),
+                Line((SECOND_BASE, "T_4"), (x0, -self.t1, v), (x1, -self.t1, v), "glue"),
+                Line(("T_3", "T_4"), (x0, 0.0, top), (x1, 0.0, top), "fold"),
+            ]
         )
 
     def frames(self, theta: FloatArray) -> dict[str, Frame]:

@@ -3,27 +3,32 @@
 from abc import abstractmethod
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cache
+from math import sqrt
 from typing import ClassVar, Literal, Self
 
 import numpy as np
 from numpy.random import Generator
 
 from popsim.errors import GeometryError
-from popsim.geometry.arrays import FloatArray
-from popsim.geometry.frame import OPEN, X_AXIS, Z_AXIS, Side, page_direction
+from popsim.geometry.arrays import FloatArray, locked
+from popsim.geometry.frame import MINUS_Z, X_AXIS, Z_AXIS, Side, page_direction
 from popsim.geometry.rigid import Frame
-from popsim.mechanisms.base import (
-    FIRST_BASE,
-    SECOND_BASE,
-    Joint,
-    Mechanism,
-    Plate,
-    Recognition,
-    require_positive,
-)
+from popsim.mechanisms.base import Mechanism, Recognition, require_positive
 from popsim.mechanisms.fault import Fault
 from popsim.mechanisms.members import Members
 from popsim.mechanisms.pair import BasePatchPair, PairKind
+from popsim.mechanisms.plate import (
+    FIRST_BASE,
+    SECOND_BASE,
+    Face,
+    Joint,
+    Line,
+    Plate,
+    Point,
+    joints_from,
+    plates_from,
+)
 from popsim.mechanisms.primitive import Corner, RectangularPrism, TriangularPrism
 from popsim.mechanisms.room import LEAST, Room, draw
 from popsim.mechanisms.v_fold_parts import Part, Walls, find_roof, find_walls
@@ -75,35 +80,43 @@ class VFold(Mechanism):
         return np.asarray(lean / np.sqrt(1 + cos**2)[:, None])
 
     def plates(self) -> tuple[Plate, ...]:
-        rise = self.height * Z_AXIS
-        walls: list[Plate] = []
-        roof: list[Plate] = []
-        for side, wall, half in SIDES:
-            corner = self.corner(side)
-            outward = np.array([self.facing, side.value, 0.0]) / np.sqrt(2)
-            foot = self.foot
-            face = np.array([foot, corner, corner + rise, foot + rise])
-            walls.append(Plate(f"F_{wall}", face, outward, behind=self.width))
-            end = np.array([self.back, 0.0, self.pair.v])
-            face = np.array([foot, corner, end]) + rise
-            roof.append(Plate(f"T_{half}", face, Z_AXIS, behind=ROOF_DEPTH * self.height))
-        return (*walls, *roof) if self.roof else tuple(walls)
+        return plates_from(self._faces())
 
     def joints(self) -> tuple[Joint, ...]:
-        foot, rise = self.foot, self.height * Z_AXIS
+        return joints_from(self._lines())
+
+    def _faces(self) -> list[Face]:
+        walls: list[Face] = []
+        roof: list[Face] = []
+        foot, end = self.foot, (self.back, 0.0, self.pair.v)
+        for side, wall, half in SIDES:
+            corner = self.corner(side)
+            outward = diagonal(self.facing, side.value)
+            face = [foot, corner, self._risen(corner), self._risen(foot)]
+            walls.append(Face(f"F_{wall}", face, outward, behind=self.width))
+            top = [self._risen(point) for point in (foot, corner, end)]
+            roof.append(Face(f"T_{half}", top, Z_AXIS, behind=ROOF_DEPTH * self.height))
+        return [*walls, *roof] if self.roof else walls
+
+    def _lines(self) -> list[Line]:
+        foot, end = self.foot, (self.back, 0.0, self.pair.v)
         left, right = self.corner(Side.GROUND), self.corner(Side.BACKDROP)
-        end = np.array([self.back, 0.0, self.pair.v])
-        walls = (
-            Joint((FIRST_BASE, "F_L"), np.array([foot, left]), "glue"),
-            Joint((SECOND_BASE, "F_R"), np.array([foot, right]), "glue"),
-            Joint(("F_L", "F_R"), np.array([foot, foot + rise]), "fold"),
-        )
-        roof = (
-            Joint(("F_L", "T_G"), np.array([foot, left]) + rise, "glue"),
-            Joint(("F_R", "T_B"), np.array([foot, right]) + rise, "glue"),
-            Joint(("T_G", "T_B"), np.array([foot, end]) + rise, "fold", -Z_AXIS),
-        )
+        tip = self._risen(foot)
+        walls = [
+            Line((FIRST_BASE, "F_L"), foot, left, "glue"),
+            Line((SECOND_BASE, "F_R"), foot, right, "glue"),
+            Line(("F_L", "F_R"), foot, tip, "fold"),
+        ]
+        roof = [
+            Line(("F_L", "T_G"), tip, self._risen(left), "glue"),
+            Line(("F_R", "T_B"), tip, self._risen(right), "glue"),
+            Line(("T_G", "T_B"), tip, self._risen(end), "fold", MINUS_Z),
+        ]
         return walls + roof if self.roof else walls
+
+    def _risen(self, point: Point) -> Point:
+        """What is over a point of the base at its height."""
+        return point[0], point[1], point[2] + self.height
 
     def frames(self, theta: FloatArray) -> dict[str, Frame]:
         edge = self.edge_direction(theta)
@@ -123,13 +136,14 @@ class VFold(Mechanism):
         return float(low), float(high)
 
     @property
-    def foot(self) -> FloatArray:
-        """The tip on the fold line, shape (3,)."""
-        return np.array([self.tip, 0.0, self.pair.v])
+    def foot(self) -> Point:
+        """The tip on the fold line."""
+        return self.tip, 0.0, self.pair.v
 
-    def corner(self, side: Side) -> FloatArray:
-        """Far end of the base hinge on one side, open pose, shape (3,)."""
-        return np.asarray(self.foot + self.width * self.wall_direction(side, np.array([OPEN]))[0])
+    def corner(self, side: Side) -> Point:
+        """Far end of the base hinge on one side, open pose."""
+        half = self.width / sqrt(2)
+        return self.tip - self.facing * half, side.value * half, self.pair.v
 
     @classmethod
     def recognise(cls, members: Members) -> Recognition:
@@ -170,7 +184,7 @@ class VFold(Mechanism):
 
     def faults(self) -> tuple[Fault, ...]:
         corner = self.corner(Side.GROUND)
-        line = np.array([corner, corner + self.height * Z_AXIS])
+        line = np.array([corner, self._risen(corner)])
         roles = tuple(plate.role for plate in self.plates() if plate.role in ("F_L", "B_L", "T_G"))
         return (Fault("walls at 45 degrees", roles, line, self.facing * X_AXIS, self.width / 3),)
 
@@ -201,3 +215,9 @@ class VFold(Mechanism):
         if pair.x[0] <= x0 and x1 <= pair.x[1]:
             for facing in facings:
                 yield cls(id, pair, x1 if facing == 1 else x0, float(width), height, facing)
+
+
+@cache
+def diagonal(x: int, y: int) -> FloatArray:
+    """Unit direction half way between two axes, either way of each, shape (3,)."""
+    return locked(np.array([x, y, 0.0]) / np.sqrt(2), (3,), "direction")

@@ -7,15 +7,14 @@ from typing import Self
 import numpy as np
 
 from popsim.geometry.arrays import FloatArray
-from popsim.geometry.frame import Z_AXIS
 from popsim.geometry.plane import line_distance
 from popsim.geometry.rigid import Frame
-from popsim.mechanisms.base import Joint, Plate
 from popsim.mechanisms.condition import identity
 from popsim.mechanisms.members import Members, along_z
 from popsim.mechanisms.pair import BasePatchPair
+from popsim.mechanisms.plate import Face, Line
 from popsim.mechanisms.primitive import Primitive, RectangularPrism
-from popsim.mechanisms.v_fold import SIDES, VFold
+from popsim.mechanisms.v_fold import SIDES, VFold, diagonal
 from popsim.mechanisms.v_fold_parts import Part, Walls
 
 
@@ -30,23 +29,22 @@ class VFold1(VFold):
     type = "v-fold-1"
     depth = float(np.sqrt(2))
 
-    def plates(self) -> tuple[Plate, ...]:
-        rise, end = self.height * Z_AXIS, np.array([self.back, 0.0, self.pair.v])
+    def _faces(self) -> list[Face]:
+        end = (self.back, 0.0, self.pair.v)
         backs = []
         for side, letter, _ in SIDES:
             corner = self.corner(side)
-            outward = np.array([-self.facing, side.value, 0.0]) / np.sqrt(2)
-            face = np.array([corner, end, end + rise, corner + rise])
-            backs.append(Plate(f"B_{letter}", face, outward, behind=self.width))
-        return super().plates() + tuple(backs)
+            face = [corner, end, self._risen(end), self._risen(corner)]
+            backs.append(Face(f"B_{letter}", face, diagonal(-self.facing, side.value), behind=self.width))
+        return super()._faces() + backs
 
-    def joints(self) -> tuple[Joint, ...]:
-        rise, end = self.height * Z_AXIS, np.array([self.back, 0.0, self.pair.v])
-        sides = tuple(
-            Joint((f"F_{letter}", f"B_{letter}"), np.array([self.corner(side), self.corner(side) + rise]), "fold")
-            for side, letter, _ in SIDES
-        )
-        return (*super().joints(), *sides, Joint(("B_L", "B_R"), np.array([end, end + rise]), "fold"))
+    def _lines(self) -> list[Line]:
+        end = (self.back, 0.0, self.pair.v)
+        sides = []
+        for side, letter, _ in SIDES:
+            corner = self.corner(side)
+            sides.append(Line((f"F_{letter}", f"B_{letter}"), corner, self._risen(corner), "fold"))
+        return [*super()._lines(), *sides, Line(("B_L", "B_R"), end, self._risen(end), "fold")]
 
     def frames(self, theta: FloatArray) -> dict[str, Frame]:
         edge = self.edge_direction(theta)

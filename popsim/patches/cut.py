@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from popsim.errors import GeometryError
 from popsim.geometry.arrays import FloatArray, locked
 from popsim.mechanisms import AS_THEY_ARE, Depths, Mechanism, plates_together
-from popsim.mechanisms.base import FIRST_BASE, SECOND_BASE
+from popsim.mechanisms.plate import FIRST_BASE, SECOND_BASE
 from popsim.patches.clean import common, cuttable, without
 from popsim.patches.crossing import Meeting, uncross
 from popsim.patches.hold import hold

@@ -9,7 +9,7 @@ import numpy as np
 from popsim.geometry.arrays import FloatArray
 from popsim.geometry.plane import Plane
 from popsim.mechanisms import Mechanism, Plate
-from popsim.mechanisms.base import FIRST_BASE, SECOND_BASE
+from popsim.mechanisms.plate import FIRST_BASE, SECOND_BASE
 from popsim.patches.settings import PatchSettings
 
 if TYPE_CHECKING:
@@ -69,7 +69,7 @@ def pieces_of(
         name = mechanism.patch_id(plate.role)
         plane = Plane.facing(plate.outward, plate.outline[0])
         face = Polygon(plane.flat(plate.outline))
-        allowed = plate.outline if plate.room is None or name in settings.within_face else plate.room
+        allowed = plate.outline if name in settings.within_face else plate.left
         room = _within(Polygon(plane.flat(allowed)), plane, box).union(face)
         joints = [joint for joint in mechanism.joints() if plate.role in joint.roles]
         seams = [plane.flat(joint.axis) for joint in joints if joint.crease is not None]

@@ -88,7 +88,7 @@ def box():
 
 def side(box, y, gap):
     """A side with a gap in its foot."""
-    ring = box.profile(y)
+    ring = np.array(box.profile(y))
     low, high = gap
     foot = np.array([[low, y, 0], [low, y, 8], [high, y, 8], [high, y, 0]], float)
     return Shape(np.concatenate([ring[:1], foot, ring[1:]]))
@@ -115,7 +115,7 @@ def test_plain_designs_are_the_same_with_their_own_faces_as_shapes(box):
 
 
 def test_a_parapet_turns_the_fold_at_the_top_into_a_glue_joint(box):
-    ring = box.profile(30)
+    ring = np.array(box.profile(30))
     higher = ring + np.where(ring[:, 2:] == 50, 10.0, 0.0) * np.array([0, 0, 1])
     design = assemble(CARD, [box], {"M1.L": Shape(higher)})
     kinds = {h.patches: h.kind for h in design.hinges}

@@ -16,7 +16,7 @@ from popsim.geometry.frame import OPEN
 from popsim.geometry.plane import Plane
 from popsim.geometry.rigid import transform
 from popsim.mechanisms import MECHANISMS, Mechanism, Members, PairKind
-from popsim.mechanisms.base import FIRST_BASE, SECOND_BASE
+from popsim.mechanisms.plate import FIRST_BASE, SECOND_BASE
 from popsim.mechanisms.restore import essential, restored
 from popsim.verification.random_designs.spoil import spoil
 

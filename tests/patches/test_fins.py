@@ -116,7 +116,7 @@ def test_nothing_along_the_fold_rises_where_something_stands_on_the_top():
     tent = TentFold("M2", top, (-20.0, 20.0), 15.0, 20.0)
     for plate in plates_together([BOX, tent])["M1"]:
         if plate.role in ("L", "R", "C"):
-            above = plate.room[plate.room[:, 2] > 41]
+            above = plate.left[plate.left[:, 2] > 41]
             assert not ((above[:, 0] > -19) & (above[:, 0] < 19)).any()
 
 

@@ -35,6 +35,32 @@ class Ends(NamedTuple):
     sign: int
 
 
+class Seen(NamedTuple):
+    """A plate in the coordinates s and t of its slant (:class:`popsim.fitting.slant.Slant`), mm.
+
+    Attributes
+    ----------
+    outline, room:
+        Its face and the room of its contours, shapes (n, 2) and (k, 2).
+    hinges:
+        Ends of its hinges, shape (l, 2, 2).
+    taken:
+        What others take of the room of a plate along the fold: between two s all from some t on, shape (m, 3).
+    behind, beside:
+        How deep behind its face, and in its room beyond, the model shows on it.
+    principal:
+        Of others the face shows what both sides hide.
+    """
+
+    outline: FloatArray
+    room: FloatArray
+    hinges: FloatArray
+    taken: FloatArray
+    behind: float
+    beside: float
+    principal: bool
+
+
 class Held(NamedTuple):
     """A plate held against a model, by cells of its plane.
 

@@ -5,7 +5,7 @@ import numpy as np
 from popsim.fitting.kernels.cells import counted, divided, extent, grown, grown_by, reached, square_around, within
 from popsim.fitting.kernels.compiled import compiled
 from popsim.fitting.kernels.hinges import add_strips
-from popsim.fitting.kernels.records import Ends, Held
+from popsim.fitting.kernels.records import Ends, Held, Seen
 from popsim.geometry.arrays import BoolArray, FloatArray, IntArray
 from popsim.stock import NEAR_EDGE, THINNEST_STRIP
 
@@ -18,61 +18,82 @@ MARGIN = 2
 
 
 @compiled
-def held(
-    outline: FloatArray,
-    room: FloatArray,
-    ends: Ends,
-    plane: tuple[float, float, float],
-    depths: tuple[float, float],
-    principal: bool,
-) -> Held:
+def stencil(
+    plate: Seen, ends: Ends, plane: tuple[float, float, float], walls: tuple[bool, int, float]
+) -> tuple[FloatArray, FloatArray, BoolArray, BoolArray, float]:
+    """Hold a plate against a model, and tell where that shows, legs included.
+
+    Returns
+    -------
+    tuple
+        Of :class:`Held` `low`, `grain` and `inside`; between the last two what :func:`shown` gives; and `deepest`.
+    """
+    own = held(plate, ends, plane)
+    return own.low, own.grain, shown(own, ends.pixel, plate, walls), own.inside, own.deepest
+
+
+@compiled
+def held(plate: Seen, ends: Ends, plane: tuple[float, float, float]) -> Held:
     """Hold a plate against a model.
 
     Parameters
     ----------
-    outline, room:
-        Its face and the room of its contours, in the coordinates s and t of its slant, mm, shapes (n, 2), (k, 2).
+    plate:
+        In the coordinates s and t of its slant.
     ends:
         The model along the axis that it faces most.
     plane:
         Its coordinate along that axis is ``plane[0] + plane[1] * s + plane[2] * t``.
-    depths:
-        How deep behind its face, and in its room beyond, the model shows on it, mm.
-    principal:
-        Of others the face shows what both sides hide.
     """
+    outline, room = plate.outline, plate.room
     starts, sides = np.empty(2), np.empty(2)
     s0, side, s = divided(outline[:, 0], room[:, 0], ends.bounds[0, 0], ends.bounds[1, 0], ends.pixel, MARGIN)
     starts[0], sides[0] = s0, side
-    t0, side, t = divided(outline[:, 1], room[:, 1], ends.bounds[0, 1], ends.bounds[1, 1], ends.pixel, MARGIN)
+    ceiling, highest = _ceiling(s, plate.taken), ends.bounds[1, 1]
+    if len(ceiling):
+        highest = min(highest, ceiling.max())
+    t0, side, t = divided(outline[:, 1], room[:, 1], ends.bounds[0, 1], highest, ends.pixel, MARGIN)
     starts[1], sides[1] = t0, side
     inside, free = within(s, t, outline), within(s, t, room)
+    for i in range(len(ceiling)):
+        for j in range(len(t)):
+            free[i, j] &= t[j] < ceiling[i]
     rows = _pixels(s, ends.start[0], ends.pixel, ends.near.shape[0])
     columns = _pixels(t, ends.start[1], ends.pixel, ends.near.shape[1])
     face, beyond = np.zeros(inside.shape, np.bool_), np.zeros(inside.shape, np.bool_)
-    there, behind = np.zeros(inside.shape, np.bool_), np.empty(inside.shape)
+    there, behind = np.zeros(inside.shape, np.bool_), np.full(inside.shape, np.inf)
     deepest = -np.inf
     for i in range(len(s)):
-        level = plane[0] + plane[1] * s[i]
+        level, near, far = plane[0] + plane[1] * s[i], ends.near[rows[i]], ends.far[rows[i]]
         for j in range(len(t)):
-            behind[i, j] = np.inf
-            if not (inside[i, j] or free[i, j]):
+            own = inside[i, j]
+            if not (own or free[i, j]):
                 continue
             place = ends.sign * (level + plane[2] * t[j])
-            deep = place - ends.near[rows[i], columns[j]]
+            deep = place - near[columns[j]]
             behind[i, j] = deep
-            if principal:
-                there[i, j] = inside[i, j] and deep < np.inf
-                face[i, j] = there[i, j] and deep <= depths[0]
-                beyond[i, j] = not inside[i, j] and deep < np.inf and deep <= depths[1]
+            if plate.principal:
+                there[i, j] = own and deep < np.inf
+                shows = deep < np.inf and deep <= (plate.behind if own else plate.beside)
             else:
-                other = -place - ends.far[rows[i], columns[j]]
-                there[i, j] = inside[i, j] and min(deep, other) < np.inf
-                face[i, j] = inside[i, j] and max(deep, other) < np.inf
-                beyond[i, j] = not inside[i, j] and max(deep, other) < np.inf and max(deep, other) <= depths[1]
-            if face[i, j] or beyond[i, j]:
+                other = -place - far[columns[j]]
+                there[i, j] = own and min(deep, other) < np.inf
+                shows = max(deep, other) < np.inf and (own or max(deep, other) <= plate.beside)
+            if shows:
+                face[i, j], beyond[i, j] = own, not own
                 deepest = max(deepest, deep)
     return Held(starts, sides, s, t, inside, face, beyond, there, behind, deepest)
+
+
+@compiled
+def _ceiling(s: FloatArray, taken: FloatArray) -> FloatArray:
+    """From which height on others take what is over each of some places, shape (n,); empty where they do not."""
+    found = np.full(len(s) if len(taken) else 0, np.inf)
+    for k in range(len(taken)):
+        for i in range(len(s)):
+            if taken[k, 0] < s[i] < taken[k, 1]:
+                found[i] = min(found[i], taken[k, 2])
+    return found
 
 
 @compiled
@@ -85,13 +106,7 @@ def _pixels(places: FloatArray, start: float, pixel: float, count: int) -> IntAr
 
 
 @compiled
-def shown(
-    own: Held,
-    side: float,
-    hinges: FloatArray,
-    principal: bool,
-    walls: tuple[bool, int, float],
-) -> BoolArray:
+def shown(own: Held, side: float, plate: Seen, walls: tuple[bool, int, float]) -> BoolArray:
     """Cells in which a plate shows the model, shape (n, m).
 
     Parameters
@@ -100,10 +115,8 @@ def shown(
         How it is held against the model.
     side:
         Of cells, about, mm.
-    hinges:
-        Ends of its hinges in the coordinates s and t, mm, shape (k, 2, 2).
-    principal:
-        Whether it is.
+    plate:
+        As in :func:`held`.
     walls:
         Whether it stands upright; the coordinate (0 s, 1 t) that leads over the fold, -1 where it does not go on
         there; and on which side of the fold it lies.
@@ -116,11 +129,11 @@ def shown(
             _join(closed, found)
             _wall_up(closed, own, walls)
             _fill(found, closed, own)
-    if principal:
+    if plate.principal:
         if counted(found) < SPARSE * counted(own.inside):
             _join(found, own.inside)
         else:
-            add_strips(found, hinges, own.low, own.grain, own.inside)
+            add_strips(found, plate.hinges, own.low, own.grain, own.inside)
     steps = max(round(THINNEST_STRIP / side) - 1, 1)
     seam = grown_by(own.inside, steps)
     if _any_but(own.beyond, seam):
@@ -131,10 +144,13 @@ def shown(
 @compiled
 def _any_but(mask: BoolArray, other: BoolArray) -> bool:
     """Whether a mask holds any cell that another one does not."""
+    cells, others = mask.view(np.uint8), other.view(np.uint8)
     for i in range(mask.shape[0]):
+        own, others_own, found = cells[i], others[i], np.uint8(0)
         for j in range(mask.shape[1]):
-            if mask[i, j] and not other[i, j]:
-                return True
+            found |= own[j] & ~others_own[j]
+        if found & 1:
+            return True
     return False
 
 

@@ -69,7 +69,7 @@ def _fin(
     if length < 2 * LEAST:
         return ()
     plane, host = _beside(joint.axis, inside), _beside(joint.axis, outside)
-    room, face = (Polygon(plane.flat(ring)) for ring in (inside.room, inside.outline) if ring is not None)
+    room, face = (Polygon(plane.flat(ring)) for ring in (inside.left, inside.outline))
     start, end = draw_interval(rng, 0.0, length)
     window = Polygon([(start, -INSIDE), (end, -INSIDE), (end, draw(rng, LEAST, TALLEST)), (start, LEAST)])
     whole = face.union(room.intersection(window))
