@@ -46,12 +46,14 @@ class Drawing:
         -------
         tuple
             How far they are from the eye in each pixel of each view, shape (views, n, n), inf where there is
-            nothing, and whether these are but the views that tell all (:attr:`Mirror.once`).
+            nothing, until anything else is drawn, and whether these are but the views that tell all
+            (:attr:`Mirror.once`).
         """
         together = plates_together(mechanisms, depths).values()
         every = [Sides.of(plates, even=self.mirror is not None) for plates in together]
         uneven = [sides for sides in every if not sides.even]
-        depth = self.views.nothing()
+        depth = self.views.canvas
+        depth.fill(np.inf)
         self._draw([sides for sides in every if sides.even], depth)
         if self.mirror is not None:
             depth = self.mirror.both(depth, np.arange(len(depth)) if uneven else self.mirror.once)

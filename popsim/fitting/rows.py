@@ -35,15 +35,17 @@ def propose_row(
     allowed:
         Where it may have steps and tops; None for everywhere.
     """
+    from popsim.fitting.kernels.rows import profiles, with_later
+
     sums = spot.summed[:, 1:, 1:]
-    value = sums + prices.trust * _later(sums, prices)
+    value = with_later(sums, prices.trust, prices.patch * STAND_PATCHES / max(1, len(sums) / 3))
     if room is not None:
         value = np.where(room[:, : value.shape[1], None], value, OUTSIDE)
     step = np.full((2, len(value)), -OUTSIDE if prices.plain else prices.patch * STEP_PATCHES)
     if allowed is not None:
         value = np.where(allowed.height, value, OUTSIDE)
         step[~np.array([allowed.rise, allowed.fall])] = -OUTSIDE
-    best = _run(value, step)
+    best = profiles(value, step, OUTSIDE)
     final = best.max(axis=1)
     x, w, h = (int(k) for k in np.unravel_index(int(final.argmax()), final.shape))
     if not final[x, w, h] > 0:
@@ -54,47 +56,12 @@ def propose_row(
     return _as_proposal(spot, tops, w, gain)
 
 
-def _later(sums: FloatArray, prices: Prices) -> FloatArray:
-    """What one more box of at most the same width could gain above each height, per column, less its price."""
-    columns = len(sums)
-    above = np.maximum.accumulate(sums[..., ::-1], axis=2)[..., ::-1] - sums
-    best = np.maximum.accumulate(above, axis=1)
-    share = prices.patch * STAND_PATCHES / max(1, columns / 3)
-    return np.asarray(np.maximum(best - share, 0.0))
-
-
-def _run(value: FloatArray, step: FloatArray) -> FloatArray:
-    """Best values of profiles that first rise and then fall and end in each column at each height.
-
-    `step` is the price of a step up, and of one down, at the low end of each column, shape (2, columns).
-
-    Returns
-    -------
-    numpy.ndarray
-        By column, phase (0 rises, 1 has begun to fall), width and height, shape (columns, 2, widths, heights).
-    """
-    columns, widths, heights = value.shape
-    best = np.full((columns, 2, widths, heights), OUTSIDE)
-    best[0, 0] = value[0]
-    for x in range(1, columns):
-        rising, falling = best[x - 1]
-        grown, fallen = best[x]
-        np.maximum(rising, 0.0, out=grown)
-        lower = np.maximum.accumulate(rising[:, :-1], axis=1) - step[0, x]
-        np.maximum(grown[:, 1:], lower, out=grown[:, 1:])
-        grown += value[x]
-        higher = np.maximum.accumulate(np.maximum(rising, falling)[:, :0:-1], axis=1)[:, ::-1] - step[1, x]
-        fallen[:] = falling
-        np.maximum(falling[:, :-1], higher, out=fallen[:, :-1])
-        fallen += value[x]
-    return best
-
-
 def _profile(best: FloatArray, h: int, step: FloatArray) -> list[int]:
     """Height indices, column by column, of the best profile of one width that ends in the last column at h.
 
-    `best` is that of :func:`_run` for this width, shape (columns, 2, heights), `step` as there. Of equals a
-    profile that starts goes before one that stays, that before one that steps, and of steps the lowest.
+    `best` is what :func:`popsim.fitting.kernels.rows.profiles` gives for this width, shape (columns, 2, heights),
+    `step` as there. Of equals a profile that starts goes before one that stays, that before one that steps, and of
+    steps the lowest.
     """
     phase = int(best[-1, :, h].argmax())
     profile = [h]

@@ -21,11 +21,12 @@ they are refitted. Before that starts from up to 0.1 behind have won, afterwards
 
 
 class State(NamedTuple):
-    """A candidate over the fold of one outset, by its number, and how it was begun."""
+    """A candidate over the fold of one outset, by its number, how it was begun, and what it is worth."""
 
     outset: int
     candidate: Candidate
     manner: Manner
+    value: float
 
     def key(self) -> object:
         """What tells it from others, however they were begun."""
@@ -44,33 +45,34 @@ def search(outsets: Sequence[Outset]) -> State | None:
         The candidate, or None where nothing can be placed.
     """
 
-    def begin(way: tuple[int, Manner]) -> Candidate:
-        return outsets[way[0]].begun(way[1])
+    def begin(way: tuple[int, Manner]) -> State | None:
+        found = outsets[way[0]].begun(way[1])
+        return State(way[0], found, way[1], outsets[way[0]].value(found)) if found.nodes else None
 
-    def refit(state: State) -> Candidate:
-        return outsets[state.outset].refitted(state.candidate)
+    def refit(state: State) -> State:
+        return further(state, outsets[state.outset].refitted(state.candidate))
 
-    def complete(state: State) -> Candidate:
-        return outsets[state.outset].completed(state.candidate)
+    def complete(state: State) -> State:
+        return further(state, outsets[state.outset].completed(state.candidate))
+
+    def further(state: State, found: Candidate) -> State:
+        return state._replace(candidate=found, value=outsets[state.outset].value(found))
 
     numbers = _distinct(outsets)
     for number in numbers:
         outsets[number].coarse.look()
     with two_processes(begin, refit, complete) as share:
-        ways = [(number, manner) for number in numbers for manner in MANNERS]
-        begun = zip(ways, share(begin, ways), strict=True)
-        starts = [State(number, candidate, manner) for (number, manner), candidate in begun if candidate.nodes]
-        left = _ranked(_different(starts), outsets)
+        begun = share(begin, [(number, manner) for number in numbers for manner in MANNERS])
+        left = _ranked(_different([state for state in begun if state is not None]))
         if not left:
             return None
-        folds = sorted({state.outset for state, score in left if score > left[0][1] - HOPELESS})
-        for count, further, behind in ((REFITTED, refit, inf), (COMPLETED, complete, HOPELESS)):
-            hopeful = [state for state, score in left if score > left[0][1] - behind]
+        folds = sorted({state.outset for state in left if state.value > left[0].value - HOPELESS})
+        for count, work, behind in ((REFITTED, refit, inf), (COMPLETED, complete, HOPELESS)):
+            hopeful = [state for state in left if state.value > left[0].value - behind]
             over = ([state for state in hopeful if state.outset == fold] for fold in folds)
             chosen = _different([state for states in over for state in states[: count // len(folds)]])
-            reached = zip(chosen, share(further, chosen), strict=True)
-            left = _ranked([state._replace(candidate=found) for state, found in reached], outsets)
-    return left[0][0]
+            left = _ranked(share(work, chosen))
+    return left[0]
 
 
 def _distinct(outsets: Sequence[Outset]) -> list[int]:
@@ -87,7 +89,6 @@ def _different(states: Sequence[State]) -> list[State]:
     return list(found.values())
 
 
-def _ranked(states: Sequence[State], outsets: Sequence[Outset]) -> list[tuple[State, float]]:
-    """States with their values, the greatest first."""
-    scored = [(state, outsets[state.outset].value(state.candidate)) for state in states]
-    return sorted(scored, key=lambda scored: -scored[1])
+def _ranked(states: Sequence[State]) -> list[State]:
+    """States by their values, the greatest first."""
+    return sorted(states, key=lambda state: -state.value)

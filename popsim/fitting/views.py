@@ -79,9 +79,10 @@ class Views:
         facing = self._facing(slant)
         return Picture(*drawn(stencil.mask, stencil.low, stencil.grain, slant.level, facing, self.pixels))
 
-    def nothing(self) -> FloatImage:
-        """Views in which nothing shows, shape (views, pixels, pixels)."""
-        return np.full((len(self.axes), self.pixels, self.pixels), np.inf, dtype=np.float32)
+    @cached_property
+    def canvas(self) -> FloatImage:
+        """Room for views, shape (views, pixels, pixels); new room would have to be cleared by the system first."""
+        return np.empty((len(self.axes), self.pixels, self.pixels), dtype=np.float32)
 
     def _facing(self, slant: Slant) -> Facing:
         """How the views see planes of one slope; there are few slopes."""

@@ -9,7 +9,9 @@ from popsim.fitting.appearance import Appearance
 from popsim.fitting.field import Field, spot_on
 from popsim.fitting.mapping import mappings
 from popsim.fitting.mirror import lies_beyond
+from popsim.fitting.proposal import Prices
 from popsim.fitting.roofs import propose_roof
+from popsim.fitting.rows import propose_row
 from popsim.fitting.volume import measure_volume
 from popsim.fitting.wishes import Wishes
 from popsim.geometry.arrays import FloatArray
@@ -29,7 +31,7 @@ SQUARES = ((0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4),
 
 
 def main() -> None:
-    """Look at something that is alike on both sides of the fold, and at one side that is shown deeper; roof it."""
+    """Look at what is alike on both sides of the fold, and at one side that is shown deeper; propose prisms."""
     near = np.concatenate([_block(*corners) for corners in HALF])
     triangles = np.concatenate([near, near * [1.0, -1.0, 1.0]])
     count = len(triangles)
@@ -43,6 +45,7 @@ def main() -> None:
     spot = spot_on(Field(volume, 1.0), pair)
     assert spot is not None
     propose_roof(spot)
+    propose_row(spot, Prices(0.1))
     seen.likeness([own])
     seen.likeness([own], {own.patch_id(plate.role): (2.0, 1.0) for plate in own.plates() if lies_beyond(plate)})
 

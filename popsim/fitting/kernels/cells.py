@@ -77,20 +77,35 @@ def within(s: FloatArray, t: FloatArray, ring: FloatArray) -> BoolArray:
         box = box and min(across, along) < STRAIGHT
     if box:
         (left, right), (low, high) = span(ring[:, 0]), span(ring[:, 1])
+        first = last = 0
+        for j in range(len(t)):
+            first += t[j] <= low
+            last += t[j] < high
         for i in range(len(s)):
             if left < s[i] < right:
-                for j in range(len(t)):
-                    found[i, j] = low < t[j] < high
+                found[i, first:last] = True
         return found
-    for k in range(count):
-        x0, y0, x1, y1 = ring[k - 1, 0], ring[k - 1, 1], ring[k, 0], ring[k, 1]
-        for j in range(len(t)):
-            if (t[j] >= y0) != (t[j] >= y1):
-                end = x0 + (t[j] - y0) * ((x1 - x0) / (y1 - y0))
-                for i in range(len(s)):
-                    if s[i] >= end:
-                        break
-                    found[i, j] = not found[i, j]
+    ends = np.empty(count)
+    for i in range(len(s)):
+        crossed = 0
+        for k in range(count):
+            x0, x1 = ring[k - 1, 0], ring[k, 0]
+            if (s[i] >= x0) != (s[i] >= x1):
+                y0 = ring[k - 1, 1]
+                end = y0 + (s[i] - x0) * ((ring[k, 1] - y0) / (x1 - x0))
+                place = crossed
+                while place > 0 and ends[place - 1] > end:
+                    ends[place] = ends[place - 1]
+                    place -= 1
+                ends[place] = end
+                crossed += 1
+        j = 0
+        for k in range(0, crossed, 2):
+            while j < len(t) and t[j] < ends[k]:
+                j += 1
+            while j < len(t) and t[j] < ends[k + 1]:
+                found[i, j] = True
+                j += 1
     return found
 
 
@@ -147,14 +162,26 @@ def grown_by(mask: BoolArray, steps: int) -> BoolArray:
 def square_around(mask: BoolArray, steps: int) -> BoolArray:
     """Cells at most some steps, of either index, from one of a mask, shape (n, m)."""
     rows, columns = mask.shape
-    found = np.zeros(mask.shape, np.bool_)
-    for i in range(rows):
-        for j in range(columns):
-            if mask[i, j]:
-                for k in range(max(i - steps, 0), min(i + steps + 1, rows)):
-                    for m in range(max(j - steps, 0), min(j + steps + 1, columns)):
-                        found[k, m] = True
-    return found
+    cells = mask.view(np.uint8)
+    wide = cells.copy()
+    for step in range(1, steps + 1):
+        for i in range(rows):
+            own, new = cells[i], wide[i]
+            for j in range(columns - step):
+                new[j] |= own[j + step]
+            for j in range(step, columns):
+                new[j] |= own[j - step]
+    found = wide.copy()
+    for step in range(1, steps + 1):
+        for i in range(rows - step):
+            new, high = found[i], wide[i + step]
+            for j in range(columns):
+                new[j] |= high[j]
+        for i in range(step, rows):
+            new, low = found[i], wide[i - step]
+            for j in range(columns):
+                new[j] |= low[j]
+    return found.view(np.bool_)
 
 
 @compiled

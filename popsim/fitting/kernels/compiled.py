@@ -20,11 +20,20 @@ def compiled(function: Callable[P, R]) -> Callable[P, R]:
     What is kept goes by a name that changes with each file that it comes from: Numba itself looks only at the file
     of the function, not at those of what it calls.
     """
+    return _compiled(function, set())
+
+
+def summing(function: Callable[P, R]) -> Callable[P, R]:
+    """The same for a function whose sums come to the same in any order, so that it may add several at once."""
+    return _compiled(function, {"reassoc", "nsz"})
+
+
+def _compiled(function: Callable[P, R], liberties: set[str]) -> Callable[P, R]:
     function.__qualname__ = f"{function.__qualname__}_{_version()}"
     try:
-        found = njit(cache=True, error_model="numpy")(function)
+        found = njit(cache=True, error_model="numpy", fastmath=liberties)(function)
     except RuntimeError:  # neither the folder of the file nor any cache of the user can be written
-        found = njit(error_model="numpy")(function)
+        found = njit(error_model="numpy", fastmath=liberties)(function)
     return cast(Callable[P, R], found)
 
 

@@ -6,12 +6,13 @@ Spans and depths of pictures are those of :class:`popsim.fitting.views.Picture`.
 import numpy as np
 
 from popsim.fitting.kernels.cells import extent
-from popsim.fitting.kernels.compiled import compiled
+from popsim.fitting.kernels.compiled import compiled, summing
 from popsim.fitting.kernels.records import Facing, FloatImage
 from popsim.geometry.arrays import BoolArray, FloatArray, IntArray
 
 FINE = np.float32(1 << 16)
-"""Parts in which differences of depths are summed: whole numbers add up to the same in any order."""
+"""Parts in which differences of depths are summed: whole numbers add up to the same in any order, as long as those
+of a row, of at most 255 pixels, stay exact."""
 
 
 @compiled
@@ -100,7 +101,7 @@ def paint(image: FloatImage, spans: IntArray, depth: FloatImage) -> None:
         for row in range(spans[k, 1], spans[k, 2]):
             there, own = image[spans[k, 0], row, spans[k, 3] : spans[k, 4]], depth[place : place + width]
             for column in range(width):
-                there[column] = min(there[column], own[column])
+                there[column] = own[column] if own[column] < there[column] else there[column]
             place += width
 
 
@@ -144,16 +145,27 @@ def compared(depth: FloatImage, model: FloatImage, deep: float) -> FloatArray:
         differ by at most `deep`, and the sum of the differences, each at most `deep`, over `deep`; shape (v, 4).
     """
     found = np.zeros((len(depth), 4))
-    scale, one, far = np.float32(1 / deep), np.float32(1), np.float32(np.inf)
+    scale = np.float32(1 / deep)
     for view in range(len(depth)):
-        either = both = same = apart = 0
         for row in range(depth.shape[1]):
-            own, other = depth[view, row], model[view, row]
-            for column in range(depth.shape[2]):
-                off = abs(own[column] - other[column]) * scale  # no number where neither shows anything
-                either += min(own[column], other[column]) < far
-                both += off < far
-                same += off <= one
-                apart += int(min(off, one) * FINE) if off < far else 0
-        found[view, 0], found[view, 1], found[view, 2], found[view, 3] = either, both, same, apart / FINE
+            _compare(depth[view, row], model[view, row], scale, found[view])
+    found[:, 3] /= FINE
     return found
+
+
+@summing
+def _compare(own: FloatImage, other: FloatImage, scale: np.float32, found: FloatArray) -> None:
+    """Add what a row of a view tells beside that of the model, in whole numbers below 2^24."""
+    one, none, far = np.float32(1), np.float32(0), np.float32(np.inf)
+    either = both = same = apart = none
+    for column in range(len(own)):
+        off = abs(own[column] - other[column]) * scale  # no number where neither shows anything
+        nearest = own[column] if own[column] < other[column] else other[column]
+        either += one if nearest < far else none
+        both += one if off < far else none
+        same += one if off <= one else none
+        apart += np.floor((off if off < one else one) * FINE) if off < far else none
+    found[0] += either
+    found[1] += both
+    found[2] += same
+    found[3] += apart
