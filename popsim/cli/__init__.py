@@ -4,6 +4,7 @@ Exit codes: 0 success, 1 a design failed verification, 2 something about the inp
 folder is wrong; then one line on stderr says what.
 """
 
+import gc
 import os
 import sys
 from typing import NoReturn
@@ -18,15 +19,20 @@ def main() -> NoReturn:
     Matrices here are small and many: threads would wait for each other, and cost thirty times what they gain.
     """
     os.environ.setdefault(THREADS, "1")
-    from popsim.cli.app import app
     from popsim.errors import PopsimError
+    from popsim.garbage import seldom_collected
 
     try:
-        app(prog_name="popsim")
+        with seldom_collected():
+            from popsim.cli.app import app
+
+            app(prog_name="popsim")
     except PopsimError as error:
         sys.stderr.write(f"popsim: {' '.join(str(error).split())}\n")
         sys.exit(2)
     except KeyboardInterrupt:
         sys.stderr.write("popsim: interrupted\n")
         sys.exit(130)
+    finally:
+        gc.freeze()  # Python looks for garbage thrice as it ends, for more than a second
     sys.exit(0)

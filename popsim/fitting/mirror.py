@@ -78,10 +78,16 @@ class Mirror:
         return Picture(*mirrored(*picture, self.views, self.pixels))
 
     def both(self, near: FloatImage, views: IntArray) -> FloatImage:
-        """Some views of what is on both sides, shape (k, n, n), from all views (v, n, n) of one side."""
+        """Some views of what is on both sides, (k, n, n), until they are next asked for; from all of one side."""
         from popsim.fitting.kernels.pictures import both_sides
 
-        return both_sides(near, views, self.views)
+        found = self._canvas[: len(views)]
+        both_sides(near, views, self.views, found)
+        return found
+
+    @cached_property
+    def _canvas(self) -> FloatImage:
+        return np.empty((len(self.views), self.pixels, self.pixels), dtype=np.float32)
 
 
 class Sides(NamedTuple):

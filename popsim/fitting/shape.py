@@ -1,6 +1,7 @@
 """Shapes of plates: what tells them apart by how they show a model."""
 
 from functools import lru_cache
+from struct import pack
 from typing import NamedTuple
 
 import numpy as np
@@ -38,18 +39,13 @@ class Shape(NamedTuple):
 
 @lru_cache(maxsize=8192)
 def shape_of(plate: Plate, *, across: bool) -> Shape:
-    """The shape of a plate, or of its mirror image where `across`: corners and hinges rounded, hinges in order."""
+    """The shape of a plate, or of its mirror image where `across`, rounded."""
     assert plate.room is not None  # plates give themselves room
-    lines = plate.hinges.reshape(-1, 3)
-    places = np.concatenate([plate.outline, plate.room, plate.outward[None], lines])
+    places = np.concatenate([plate.outline, plate.room, plate.outward[None], plate.hinges.reshape(-1, 3)])
     points = (places * ACROSS if across else places).round(DIGITS) + 0.0  # there is no negative zero
     first, second = len(plate.outline), len(plate.outline) + len(plate.room)
     outline, room, outward, ends = points[:first], points[first:second], points[second], points[second + 1 :]
-    sides = iter(ends.tolist())
-    hinges = np.array(sorted({(*min(pair), *max(pair)) for pair in zip(sides, sides, strict=True)}))
-    depths = round(plate.behind, DIGITS), round(plate.beside, DIGITS)
-    taken = plate.taken.round(DIGITS)
-    rest = np.array([*depths, plate.principal, plate.lies, first, second], dtype=np.float64)
-    key = points[: second + 1].tobytes() + hinges.tobytes() + rest.tobytes() + taken.tobytes()
-    seams = hinges.reshape(-1, 2, 3)
-    return Shape(outline, room, outward, seams, taken, *depths, plate.principal, plate.lies, key)
+    taken, depths = plate.taken.round(DIGITS), (round(plate.behind, DIGITS), round(plate.beside, DIGITS))
+    rest = pack("dd??qq", *depths, plate.principal, plate.lies, first, second)
+    key = points.tobytes() + taken.tobytes() + rest
+    return Shape(outline, room, outward, ends.reshape(-1, 2, 3), taken, *depths, plate.principal, plate.lies, key)

@@ -229,14 +229,25 @@ def joints_from(lines: Sequence[Line]) -> tuple[Joint, ...]:
 
 
 def hinged(plates: Sequence[Plate], joints: Sequence[Joint]) -> tuple[Plate, ...]:
-    """Plates with their hinges among some joints."""
-    axes = np.array([joint.axis for joint in joints])
-    places: dict[str, list[int]] = {plate.role: [] for plate in plates}
-    for place, joint in enumerate(joints):
+    """Plates with their hinges among some joints: each line once, in one order on both sides of the fold."""
+    lines: dict[str, set[tuple[Point, ...]]] = {plate.role: set() for plate in plates}
+    for joint in joints:
+        first, second = map(tuple, joint.axis.tolist())
+        line = (first, second) if _along(first) <= _along(second) else (second, first)
         for role in joint.roles:
-            if role in places:
-                places[role].append(place)
-    return tuple(plate.but(hinges=axes[places[plate.role]]) for plate in plates)
+            if role in lines:
+                lines[role].add(line)
+    found = []
+    for plate in plates:
+        own = np.array(sorted(lines[plate.role], key=lambda line: (*map(_along, line),))).reshape(-1, 2, 3)
+        own.setflags(write=False)
+        found.append(_made(type(plate), plate.__dict__ | {"hinges": own}))
+    return tuple(found)
+
+
+def _along(point: Point) -> Point:
+    """A point, or its mirror image, by which ends and lines are put in order."""
+    return point[0], abs(point[1]), point[2]
 
 
 def _made(kind: type[T], values: dict[str, Any]) -> T:

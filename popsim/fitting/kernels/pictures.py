@@ -122,16 +122,14 @@ def mirrored(spans: IntArray, depth: FloatImage, others: IntArray, pixels: int) 
 
 
 @compiled
-def both_sides(near: FloatImage, views: IntArray, others: IntArray) -> FloatImage:
-    """Some views of what is on both sides of the fold, from all views (v, n, n) of one side; shape (k, n, n)."""
+def both_sides(near: FloatImage, views: IntArray, others: IntArray, found: FloatImage) -> None:
+    """Some views of what is on both sides of the fold, (k, n, n), from all views (v, n, n) of one side."""
     pixels = near.shape[1]
-    found = np.empty((len(views), pixels, pixels), np.float32)
     for k in range(len(views)):
         for row in range(pixels):
             one, other, line = near[views[k], row], near[others[views[k]], row], found[k, row]
             for column in range(pixels):
                 line[column] = min(one[column], other[pixels - 1 - column])
-    return found
 
 
 @compiled
