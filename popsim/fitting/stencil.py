@@ -48,11 +48,8 @@ class Stencil:
         slant = Slant.of(plate.outward, plate.outline[0])
         rings = slant.seen(plate.outline), slant.seen(plate.room), slant.seen(plate.hinges)
         seen = Seen(*rings, plate.taken, plate.behind, plate.beside, plate.principal)
-        ends, plane, walls = (
-            fronts.ends(slant.axis, slant.sign),
-            (slant.level, *slant.slopes),
-            _walls(plate, slant),
-        )
+        ends, walls = fronts.ends(slant.axis, slant.sign), _walls(plate, slant)
+        plane = slant.level, *slant.slopes
         low, grain, mask, face, deepest = stencil(seen, ends, plane, walls)
         if may_have_legs(plate, deepest):
             own = held(seen, ends, plane)

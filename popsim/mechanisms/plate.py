@@ -4,13 +4,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import cached_property, lru_cache
 from itertools import pairwise
-from math import hypot, isnan, sqrt
+from math import isnan, sqrt
 from typing import Any, Literal, NamedTuple, Self, TypeVar
 
 import numpy as np
 
 from popsim.geometry.arrays import FloatArray, locked
-from popsim.geometry.plane import area_vector
 
 T = TypeVar("T")
 
@@ -116,7 +115,7 @@ class Plate:
     @cached_property
     def area(self) -> float:
         """Area of the face, mm^2."""
-        return hypot(*area_vector(self.outline).tolist()) / 2
+        return _area(self.outline.tolist())
 
     @cached_property
     def left(self) -> FloatArray:
@@ -262,8 +261,8 @@ def _depth_beside(behind: float, area: float) -> float:
     return min(BESIDE * behind, BESIDE_OF_FACE * sqrt(area))
 
 
-def _area(ring: Sequence[Point]) -> float:
-    """Area of a flat ring, mm^2."""
+def _area(ring: Sequence[Sequence[float]]) -> float:
+    """Area of a flat ring of corners, mm^2."""
     (x, y, z), *rest = ring
     around = [(a - x, b - y, c - z) for a, b, c in rest]
     first = second = third = 0.0

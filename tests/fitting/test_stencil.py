@@ -51,6 +51,25 @@ def test_a_seam_along_the_face_does_not_show():
     assert shows("L", [(0, 30, 40.6)], BODY, kerb) == [False]
 
 
+@pytest.mark.parametrize(
+    "taken", [[(-20, 10, 44)], [(-60, -10, 44), (20, 60, 52)], [(-30, 0, 50), (-10, 20, 44)], [(-70, 70, 40)]]
+)
+@pytest.mark.parametrize("role", ["L", "C"])
+def test_what_others_take_is_left_out_as_where_contours_are_cut(role, taken):
+    fronts = Fronts.of(RayScene(surface(BODY, block((-45, -30, 40), (45, 30, 60)))), BOUNDS, 1.0)
+    plate = next(plate for plate in plates_of(BOX) if plate.role == role).but(taken=np.array(taken, float))
+    own, cut_off = (
+        Stencil.of(shape_of(each, across=False), fronts)
+        for each in (plate, plate.but(room=plate.left, taken=np.zeros((0, 3))))
+    )
+    assert own.mask.any() and np.array_equal(places(own), places(cut_off))
+
+
+def places(stencil):
+    """Centres of the cells that show something."""
+    return (stencil.low + (np.argwhere(stencil.mask) + 0.5) * stencil.grain).round(6)
+
+
 def doorway(x0, x1, z1):
     """A box with a deep recess in its near side, open to that side."""
     walls = [block((-50, -30, 0), (50, -20, 40)), block((-50, -20, 0), (x0, 30, 40))]
