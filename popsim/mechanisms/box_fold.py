@@ -36,6 +36,7 @@ from popsim.mechanisms.plate import (
     Point,
     joints_from,
     plates_from,
+    rectangle,
 )
 from popsim.mechanisms.primitive import Primitive, PrismRow, RectangularPrism
 from popsim.mechanisms.room import Room
@@ -126,7 +127,7 @@ class BoxFold(Mechanism):
         for top, roles in zip(self.tops, self.top_roles(), strict=True):
             z, depth = v + top.height, top_depth(self, top)
             for role, sign in zip(roles, (1, -1), strict=True):
-                outline = [(top.x0, 0.0, z), (top.x1, 0.0, z), (top.x1, sign * w, z), (top.x0, sign * w, z)]
+                outline = rectangle((top.x0, top.x1), (0.0, z), (sign * w, z))
                 faces.append(Face(role, outline, Z_AXIS, room=top_room(self, top, sign), behind=depth))
         for end, roles in zip(self.end_pairs, self.end_roles(), strict=True):
             outward, depth = X_AXIS if end.facing == 1 else MINUS_X, end_depth(self, end)
@@ -139,11 +140,18 @@ class BoxFold(Mechanism):
     def joints(self) -> tuple[Joint, ...]:
         w, v = self.half_width, self.pair.v
 
-        def level(roles: tuple[str, str], x: tuple[float, float], y: float, z: float, kind: Kind) -> Line:
-            return Line(roles, (x[0], y, v + z), (x[1], y, v + z), kind)
+        def level(
+            roles: tuple[str, str],
+            x: tuple[float, float],
+            y: float,
+            z: float,
+            kind: Kind,
+            crease: FloatArray | None = None,
+        ) -> Line:
+            return Line(roles, (x[0], y, v + z), (x[1], y, v + z), kind, crease)
 
-        def upright(roles: tuple[str, str], end: EndPair, y: float) -> Line:
-            return Line(roles, (end.x, y, v + end.low), (end.x, y, v + end.high), "fold")
+        def upright(roles: tuple[str, str], end: EndPair, y: float, crease: FloatArray | None = None) -> Line:
+            return Line(roles, (end.x, y, v + end.low), (end.x, y, v + end.high), "fold", crease)
 
         lines = [
             level((FIRST_BASE, "L"), self.x, w, 0.0, "glue"),
@@ -155,7 +163,7 @@ class BoxFold(Mechanism):
             lines += [
                 level(("L", ground), x, w, top.height, "fold"),
                 level(("R", backdrop), x, -w, top.height, "fold"),
-                level((ground, backdrop), x, 0.0, top.height, "fold")._replace(crease=MINUS_Z),
+                level((ground, backdrop), x, 0.0, top.height, "fold", MINUS_Z),
                 level((ground, "C"), x, 0.0, top.height, "glue"),
             ]
         for end, (left, right) in zip(self.end_pairs, self.end_roles(), strict=True):
@@ -163,7 +171,7 @@ class BoxFold(Mechanism):
             lines += [
                 upright(("L", left), end, w),
                 upright(("R", right), end, -w),
-                upright((left, right), end, 0.0)._replace(crease=outward),
+                upright((left, right), end, 0.0, outward),
             ]
         return joints_from(lines)
 

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from popsim.mechanisms.plate import Point
+from popsim.mechanisms.plate import Point, rectangle
 
 if TYPE_CHECKING:
     from popsim.mechanisms.box_fold import BoxFold, EndPair, Top
@@ -56,7 +56,7 @@ def side_room(box: "BoxFold", y: float) -> list[Point]:
     x0, x1 = min(box.pair.x[0], box.x[0]), max(box.pair.x[1], box.x[1])
     z0 = box.pair.v
     z1 = z0 + box.height + RISE * box.half_width
-    return [(x0, y, z0), (x1, y, z0), (x1, y, z1), (x0, y, z1)]
+    return rectangle((x0, x1), (y, z0), (y, z1))
 
 
 def backbone_room(box: "BoxFold") -> list[Point]:
@@ -102,8 +102,8 @@ def _swept(box: "BoxFold", end: "EndPair") -> tuple[float, float, float, float]:
 def top_room(box: "BoxFold", top: "Top", sign: int) -> list[Point]:
     """Room of one half of a top."""
     far = sign * (box.half_width + min(EAVES * box.half_width, LONGEST_EAVES))
-    x0, x1, z = top.x0, top.x1, box.pair.v + top.height
-    return [(x0, 0.0, z), (x1, 0.0, z), (x1, far, z), (x0, far, z)]
+    z = box.pair.v + top.height
+    return rectangle((top.x0, top.x1), (0.0, z), (far, z))
 
 
 def top_depth(box: "BoxFold", top: "Top") -> float:

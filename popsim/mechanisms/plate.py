@@ -238,7 +238,7 @@ def hinged(plates: Sequence[Plate], joints: Sequence[Joint]) -> tuple[Plate, ...
                 lines[role].add(line)
     found = []
     for plate in plates:
-        own = np.array(sorted(lines[plate.role], key=lambda line: (*map(_along, line),))).reshape(-1, 2, 3)
+        own = np.array(sorted(lines[plate.role], key=lambda line: tuple(map(_along, line)))).reshape(-1, 2, 3)
         own.setflags(write=False)
         found.append(_made(type(plate), plate.__dict__ | {"hinges": own}))
     return tuple(found)

@@ -88,7 +88,7 @@ class VFold(Mechanism):
     def _faces(self) -> list[Face]:
         walls: list[Face] = []
         roof: list[Face] = []
-        foot, end = self.foot, (self.back, 0.0, self.pair.v)
+        foot, end = self.foot, self.end
         for side, wall, half in SIDES:
             corner = self.corner(side)
             outward = diagonal(self.facing, side.value)
@@ -99,7 +99,7 @@ class VFold(Mechanism):
         return [*walls, *roof] if self.roof else walls
 
     def _lines(self) -> list[Line]:
-        foot, end = self.foot, (self.back, 0.0, self.pair.v)
+        foot, end = self.foot, self.end
         left, right = self.corner(Side.GROUND), self.corner(Side.BACKDROP)
         tip = self._risen(foot)
         walls = [
@@ -139,6 +139,11 @@ class VFold(Mechanism):
     def foot(self) -> Point:
         """The tip on the fold line."""
         return self.tip, 0.0, self.pair.v
+
+    @property
+    def end(self) -> Point:
+        """Where it ends on the fold line, behind the tip."""
+        return self.back, 0.0, self.pair.v
 
     def corner(self, side: Side) -> Point:
         """Far end of the base hinge on one side, open pose."""

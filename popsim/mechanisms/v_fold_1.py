@@ -30,7 +30,7 @@ class VFold1(VFold):
     depth = float(np.sqrt(2))
 
     def _faces(self) -> list[Face]:
-        end = (self.back, 0.0, self.pair.v)
+        end = self.end
         backs = []
         for side, letter, _ in SIDES:
             corner = self.corner(side)
@@ -39,7 +39,7 @@ class VFold1(VFold):
         return super()._faces() + backs
 
     def _lines(self) -> list[Line]:
-        end = (self.back, 0.0, self.pair.v)
+        end = self.end
         sides = []
         for side, letter, _ in SIDES:
             corner = self.corner(side)
