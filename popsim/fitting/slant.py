@@ -50,8 +50,8 @@ class Slant:
         return normal
 
     def seen(self, points: FloatArray) -> FloatArray:
-        """Coordinates s and t of points (..., 3); shape (..., 2), a view."""
-        return np.asarray(points[..., SEEN[self.axis]])
+        """Coordinates s and t of points (..., 3); shape (..., 2), contiguous, as kernels are compiled for."""
+        return np.ascontiguousarray(points[..., SEEN[self.axis]])
 
     def along(self, s: FloatArray, t: FloatArray) -> FloatArray:
         """Coordinate along the axis; any shapes that broadcast."""
