@@ -34,7 +34,7 @@ class Outline:
     polygon:
         The outline taken in by HAIR, holes left free, in flat coordinates.
     opaque:
-        The outline let out by HAIR: nothing is seen through the gap along a crease.
+        The same let out by HAIR: nothing is seen through the gap along a crease.
     points:
         Points along its rings and one inside, shape (m, 3).
     """
@@ -58,14 +58,19 @@ class Outline:
         return Outline(part.plane, polygon, opaque, part.plane.lift(flat))
 
     @cached_property
+    def frame(self) -> FloatArray:
+        """Axes u and v of the plane, its normal and its origin, shape (4, 3)."""
+        return np.array([self.plane.u, self.plane.v, self.plane.normal, self.plane.origin])
+
+    @cached_property
     def middle(self) -> FloatArray:
-        """Middle of a ball around the paper, in its plane, shape (3,)."""
-        return np.asarray(self.plane.lift(self._rim.min(axis=0) / 2 + self._rim.max(axis=0) / 2))
+        """Middle of a circle around the paper, in flat coordinates, shape (2,)."""
+        return np.asarray(self._rim.min(axis=0) / 2 + self._rim.max(axis=0) / 2)
 
     @cached_property
     def radius(self) -> float:
-        """Radius of that ball, mm."""
-        return float(np.linalg.norm(self.plane.lift(self._rim) - self.middle, axis=1).max())
+        """Radius of that circle, mm."""
+        return float(np.linalg.norm(self._rim - self.middle, axis=1).max())
 
     @cached_property
     def _rim(self) -> FloatArray:
@@ -80,10 +85,3 @@ class Outline:
 
         flat = self.plane.flat(points)
         return np.asarray(shapely.contains_xy(self.polygon, flat[:, 0], flat[:, 1]))
-
-    def hides(self, points: FloatArray) -> BoolArray:
-        """Which points (n, 3), taken into the plane, nothing is seen through, shape (n,)."""
-        import shapely
-
-        flat = self.plane.flat(points)
-        return np.asarray(shapely.contains_xy(self.opaque, flat[:, 0], flat[:, 1]))

@@ -49,15 +49,15 @@ class Surroundings:
     """
 
     def __init__(self, outlines: Mapping[str, Outline], poses: Mapping[str, FloatArray]) -> None:
-        self._outlines = [outlines[name] for name in poses]
-        self._poses = np.array(list(poses.values())).reshape(-1, 4, 4)
-        turns, shifts = self._poses[:, :3, :3], self._poses[:, :3, 3]
-        normals = np.array([own.plane.normal for own in self._outlines]).reshape(-1, 3, 1)
-        middles = np.array([own.middle for own in self._outlines]).reshape(-1, 3, 1)
-        self._normals = (turns @ normals)[..., 0]
-        self._middles = (turns @ middles)[..., 0] + shifts
-        self._offsets = (self._normals * self._middles).sum(axis=1)
-        self._radii = np.array([own.radius for own in self._outlines])
+        there = [outlines[name] for name in poses]
+        motions = np.array(list(poses.values())).reshape(-1, 4, 4)
+        frames = np.array([own.frame for own in there]).reshape(-1, 4, 3) @ motions[:, :3, :3].swapaxes(1, 2)
+        self._opaque = np.array([own.opaque for own in there], dtype=object)
+        self._axes, self._normals = frames[:, :2], frames[:, 2]
+        self._origins = frames[:, 3] + motions[:, :3, 3]
+        self._offsets = (self._normals * self._origins).sum(axis=1)
+        self._middles = np.array([own.middle for own in there]).reshape(-1, 2)
+        self._radii = np.array([own.radius for own in there])
 
     def openness(self, spots: FloatArray, normals: FloatArray) -> float:
         """Share of directions off the paper at the best of some spots (n, 3) from which it can be seen.
@@ -97,17 +97,17 @@ class Surroundings:
 
     def blocked(self, starts: FloatArray, rays: FloatArray, lengths: FloatArray) -> BoolArray:
         """Which rays from `starts` along unit `rays` (n, 3) meet paper within `lengths` (n,), shape (n,)."""
+        import shapely
+
         with np.errstate(divide="ignore", invalid="ignore"):
             distance = (self._offsets - starts @ self._normals.T) / (rays @ self._normals.T)
             ray, part = np.nonzero((distance > 1e-9) & (distance < lengths[:, None]))
-        spots = starts[ray] + distance[ray, part, None] * rays[ray]
-        near = ((spots - self._middles[part]) ** 2).sum(axis=1) <= self._radii[part] ** 2
-        ray, part, spots = ray[near], part[near], spots[near]
+        spots = starts[ray] + distance[ray, part, None] * rays[ray] - self._origins[part]
+        flat = (self._axes[part] @ spots[:, :, None])[..., 0]
+        near = ((flat - self._middles[part]) ** 2).sum(axis=1) <= self._radii[part] ** 2
+        ray, part, flat = ray[near], part[near], flat[near]
         hit = np.zeros(len(starts), dtype=bool)
-        for k in np.unique(part):
-            own = (part == k) & ~hit[ray]
-            pose = self._poses[k]
-            hit[ray[own]] |= self._outlines[k].hides((spots[own] - pose[:3, 3]) @ pose[:3, :3])
+        hit[ray[shapely.contains_xy(self._opaque[part], flat[:, 0], flat[:, 1])]] = True
         return hit
 
 

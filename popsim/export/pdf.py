@@ -15,6 +15,9 @@ from popsim.layout.sheet import HALO, Area, Line, Mark, Picture, Sheet, Text
 POINTS = 72 / 25.4
 """Points in a millimetre."""
 
+NUMBER = "%.3f"
+"""How coordinates are written, points: to a third of a thousandth of a millimetre."""
+
 FONT, BOLD = "Vera", "VeraBd"
 """Bitstream Vera Sans comes with reportlab and is embedded, so that every printer shows the same."""
 
@@ -68,28 +71,27 @@ def _draw(canvas: Any, mark: Mark, style: Style, texture_root: Path) -> None:
             canvas.setStrokeColorRGB(*stroke.colour)
             canvas.setLineWidth(stroke.width * POINTS)
             canvas.setDash([dash * POINTS for dash in stroke.dashes])
-            canvas.drawPath(_path(canvas, (mark.points,), mark.closed), stroke=1, fill=0)
+            canvas.drawPath(_path((mark.points,), mark.closed), stroke=1, fill=0)
         case Area():
             canvas.setFillColorRGB(*style.stroke(mark.looks or mark.role).colour)
-            canvas.drawPath(_path(canvas, mark.rings), stroke=0, fill=1, fillMode=0)
+            canvas.drawPath(_path(mark.rings), stroke=0, fill=1, fillMode=0)
         case Text():
             _text(canvas, mark, style)
         case Picture():
-            canvas.clipPath(_path(canvas, mark.clip), stroke=0, fill=0, fillMode=0)
+            canvas.clipPath(_path(mark.clip), stroke=0, fill=0, fillMode=0)
             _picture(canvas, mark, texture_root)
     canvas.restoreState()
 
 
-def _path(canvas: Any, rings: tuple[FloatArray, ...], closed: bool = True) -> Any:
-    path = canvas.beginPath()
+def _path(rings: tuple[FloatArray, ...], closed: bool = True) -> Any:
+    """A path from ring to ring; reportlab writes number by number, which takes as long as all else on a page."""
+    from reportlab.pdfgen.pathobject import PDFPathObject
+
+    words = ["n"]
     for ring in rings:
-        points = ring * POINTS
-        path.moveTo(*points[0])
-        for point in points[1:]:
-            path.lineTo(*point)
-        if closed:
-            path.close()
-    return path
+        form = " ".join([f"{NUMBER} {NUMBER} m"] + [f"{NUMBER} {NUMBER} l"] * (len(ring) - 1))
+        words += [form % tuple((ring * POINTS).ravel().tolist()), "h" * closed]
+    return PDFPathObject(words)
 
 
 def _text(canvas: Any, mark: Text, style: Style) -> None:

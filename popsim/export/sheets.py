@@ -2,7 +2,7 @@
 
 import shutil
 import tempfile
-from functools import partial
+from functools import lru_cache, partial
 from pathlib import Path
 
 from popsim.assembly import AssemblyPlan
@@ -65,7 +65,9 @@ def export(
     return _written(writer, job, path, force)
 
 
+@lru_cache(maxsize=1)
 def _sheets(layout: Layout, printing: Printing) -> tuple[Sheet, ...]:
+    """The sheets of a layout, drawn once for all formats."""
     return draw_sheets(
         layout,
         footer=printing.footer,

@@ -1,6 +1,5 @@
 """Lines of text inside shapes, and off each other."""
 
-from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
@@ -10,6 +9,7 @@ from popsim.geometry.arrays import FloatArray
 from popsim.layout.sheet import Role, Text, text_width
 
 if TYPE_CHECKING:
+    import numpy.typing as npt
     from shapely.geometry import Polygon
     from shapely.geometry.base import BaseGeometry
 
@@ -50,8 +50,7 @@ class Lettering:
 
     def put(self, text: str, shape: "Polygon", size: float) -> Text:
         """A label in `shape`, along its longest edge or level, shrunk to fit; beside it if it is too small."""
-        spot, share, angle = self._free(text, shape, size)
-        box = _box(text, spot, share, angle)
+        spot, share, angle, box = self._free(text, shape, size)
         self._taken.append(box)
         down = RISE / 2 * share * np.array([np.sin(angle), -np.cos(angle)])
         halo = bool(self.printed.intersects(box))
@@ -59,54 +58,55 @@ class Lettering:
 
     def fits(self, text: str, shape: "Polygon", size: float) -> bool:
         """Whether `text` goes into `shape` as large as that."""
-        angles = _angles(shape)
-        return any(shape.contains(_box(text, spot, size, angle)) for spot in _spots(shape) for angle in angles)
+        import shapely
 
-    def _free(self, text: str, shape: "Polygon", size: float) -> tuple[FloatArray, float, float]:
-        """Middle (2,), size and angle of the best place that nothing else takes."""
-        spots, angles = list(_spots(shape)), _angles(shape)
-        for tried in _sizes(size):
-            for spot in spots:
-                for angle in angles:
-                    if self._is_free(_box(text, spot, tried, angle), shape):
-                        return spot, tried, angle
+        return bool(shapely.contains(shape, _boxes(text, *_places(_spots(shape), _angles(shape)), size)).any())
+
+    def _free(self, text: str, shape: "Polygon", size: float) -> "tuple[FloatArray, float, float, Polygon]":
+        """Middle (2,), size, angle and surroundings of the best place that nothing else takes."""
+        import shapely
+
+        shapely.prepare([shape, self.paper])
+        spots, angles = _spots(shape), _angles(shape)
         smallest = min(size, LEGIBLE)
-        for spot in _around(spots[-1]):
-            for angle in angles:
-                if self._is_free(_box(text, spot, smallest, angle), self.paper):
-                    return spot, smallest, angle
-        return spots[-1], smallest, angles[0]
-
-    def _is_free(self, box: "Polygon", shape: "Polygon") -> bool:
-        return bool(shape.contains(box)) and not any(box.intersects(taken) for taken in self._taken)
+        inside = [(spots, tried, shape) for tried in _sizes(size)]
+        for middles, tried, paper in (*inside, (_around(spots[-1]), smallest, self.paper)):
+            places = _places(middles, angles)
+            boxes = _boxes(text, *places, tried)
+            for k in np.flatnonzero(shapely.contains(paper, boxes)):
+                if not shapely.intersects(boxes[k], self._taken).any():
+                    return places[0][k], tried, float(places[1][k]), boxes[k]
+        last = spots[-1:], np.array(angles[:1])
+        return spots[-1], smallest, angles[0], _boxes(text, *last, smallest)[0]
 
 
 def _sizes(size: float) -> list[float]:
     return sorted({max(share * size, min(size, LEGIBLE)) for share in SHRINKING}, reverse=True)
 
 
-def _spots(shape: "Polygon") -> Iterator[FloatArray]:
-    """Places in a shape: its middle, places along its longest edge, its widest spot."""
+def _spots(shape: "Polygon") -> FloatArray:
+    """Places in a shape: its middle, places along its longest edge, its widest spot, shape (n, 2)."""
     from shapely import Point, maximum_inscribed_circle
 
     widest = np.array(maximum_inscribed_circle(shape, tolerance=0.1).coords[0])
     middle = np.array(shape.centroid.coords[0])
-    if shape.contains(Point(middle)):
-        yield middle
-    yield widest
     edge = _longest_edge(shape)
     along = edge[1] - edge[0]
     start = widest - along * float((widest - edge[0]) @ along) / float(along @ along)
-    for share in ALONG:
-        yield start + share * along
-    yield widest
+    lined_up = start + np.array(ALONG)[:, None] * along
+    return np.array([*([middle] if shape.contains(Point(middle)) else []), widest, *lined_up, widest])
 
 
-def _around(spot: FloatArray) -> Iterator[FloatArray]:
-    """Places about a spot, the nearest first."""
+def _around(spot: FloatArray) -> FloatArray:
+    """Places about a spot, the nearest first, shape (n, 2)."""
     turns = 2 * np.pi * np.arange(DIRECTIONS) / DIRECTIONS
-    for distance in DISTANCES:
-        yield from spot + distance * np.stack([np.cos(turns), np.sin(turns)], axis=1)
+    ring = np.stack([np.cos(turns), np.sin(turns)], axis=1)
+    return np.asarray(spot + (np.array(DISTANCES)[:, None, None] * ring).reshape(-1, 2))
+
+
+def _places(spots: FloatArray, angles: list[float]) -> tuple[FloatArray, FloatArray]:
+    """Each spot (n, 2) at each angle: spots (k, 2) and angles (k,)."""
+    return np.repeat(spots, len(angles), axis=0), np.tile(angles, len(spots))
 
 
 def _angles(shape: "Polygon") -> list[float]:
@@ -127,12 +127,12 @@ def _upright(angle: float) -> float:
     return angle if -np.pi / 2 + 1e-6 < angle <= np.pi / 2 + 1e-6 else angle + (np.pi if angle < 0 else -np.pi)
 
 
-def _box(text: str, centre: FloatArray, size: float, angle: float) -> "Polygon":
-    from shapely.geometry import Polygon
+def _boxes(text: str, centres: FloatArray, angles: FloatArray, size: float) -> "npt.NDArray[np.object_]":
+    """What a text takes about each centre (k, 2) at each angle (k,): polygons, shape (k,)."""
+    import shapely
 
     half = np.array([text_width(text, size), RISE * size * 1.2]) / 2
-    along = np.array([np.cos(angle), np.sin(angle)]) * half[0]
-    across = np.array([-np.sin(angle), np.cos(angle)]) * half[1]
-    return Polygon(
-        [centre - along - across, centre + along - across, centre + along + across, centre - along + across]
-    )
+    cosine, sine = np.cos(angles), np.sin(angles)
+    along, across = np.stack([cosine, sine], axis=1) * half[0], np.stack([-sine, cosine], axis=1) * half[1]
+    corners = np.stack([-along - across, along - across, along + across, across - along], axis=1)
+    return np.asarray(shapely.polygons(centres[:, None] + corners))
