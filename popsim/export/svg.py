@@ -128,7 +128,7 @@ def _picture(mark: Picture, sheet: Sheet, texture_root: Path, name: str) -> Any:
 def _path(rings: tuple[FloatArray, ...], sheet: Sheet, closed: bool = True) -> str:
     commands = []
     for ring in rings:
-        spots = [f"{_number(x)},{_number(sheet.height - y)}" for x, y in ring]
+        spots = [f"{_number(x)},{_number(sheet.height - y)}" for x, y in ring.tolist()]
         commands.append("M" + " L".join(spots) + (" Z" if closed else ""))
     return " ".join(commands)
 
