@@ -83,8 +83,10 @@ def _fins(scene: RayScene, piece: Piece, grid: Grid) -> list["Polygon"]:
     beyond = without(piece.room, piece.face)
     if beyond.is_empty:
         return []
-    mask = _between(scene, piece, grid, grid.covered(beyond), piece.plate.beside)
-    mask &= mask.sum(axis=0) * grid.pixel >= LEAST_RISE
+    free = grid.covered(beyond)
+    mask = _between(scene, piece, grid, free, piece.plate.beside)
+    beneath = free & np.maximum.accumulate(mask, axis=0)  # all from the highest place of the fin down to the face
+    mask &= beneath.sum(axis=0) * grid.pixel >= LEAST_RISE
     fins = polygons(common(mask_polygon(mask, grid), beyond))
     return [fin for fin in fins if fin.area >= LEAST_FIN and fin.distance(piece.face) <= grid.pixel]
 

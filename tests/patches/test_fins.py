@@ -81,6 +81,16 @@ def test_what_hardly_rises_over_the_hinge_is_no_fin():
     assert np.sort(fin[fin[:, 2] > 41][:, 0])[[0, -1]] == pytest.approx([-10, 10], abs=0.3)
 
 
+def test_a_ladder_that_leans_out_from_its_stand_stays_whole():
+    """Both of its rails together are less than what a fin must rise by; they lie high enough nevertheless."""
+    stand = coloured_box((26, -3, 40), (36, 3, 58))
+    rails = [coloured_box((-40, -3, low), (26, 3, low + 1.6)) for low in (46.0, 56.4)]
+    fin = painted(stand, *rails).shapes["M1.C"].outline
+    above = fin[fin[:, 2] > 41]
+    assert np.sort(above[:, 0])[[0, -1]] == pytest.approx([-40, 36], abs=0.3)
+    assert above[above[:, 0] < 20, 2].min() > 44
+
+
 def test_a_long_fin_stands_on_a_neck_and_leaves_the_rest_of_its_hinge():
     ridge = coloured_box((-50, -3, 40), (50, 3, 65))
     shapes = painted(ridge).shapes
