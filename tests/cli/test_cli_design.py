@@ -10,22 +10,49 @@ from pathlib import Path
 from time import sleep
 
 import pytest
+from command import run_popsim
 
 from popsim.cli.choices import parse_weights
 from popsim.cli.design import design
 from popsim.design import load_design
 from popsim.fitting.ransac import Weights
 
+WORDS = ("design", "block.obj", "--dpi", 60)
 
-@pytest.fixture
-def block(tmp_path: Path) -> Path:
-    """A plain block, as anybody would write it by hand."""
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Holds a plain block, as anybody would write it by hand, and what is made of it."""
     corners = [(x, y, z) for x in (0, 4) for y in (0, 2) for z in (0, 2)]
     faces = ["1 2 4 3", "5 7 8 6", "1 5 6 2", "3 4 8 7", "1 3 7 5", "2 6 8 4"]
     lines = [f"v {x} {y} {z}" for x, y, z in corners] + [f"f {face}" for face in faces]
-    path = tmp_path / "block.obj"
-    path.write_text("\n".join(lines) + "\n")
-    return path
+    folder = tmp_path_factory.mktemp("designs")
+    (folder / "block.obj").write_text("\n".join(lines) + "\n")
+    return folder
+
+
+@pytest.fixture(scope="module")
+def designed(folder: Path) -> subprocess.CompletedProcess[str]:
+    """What is told of the design in `out`."""
+    return run_popsim(folder, *WORDS, "-o", "out")
+
+
+@pytest.fixture(scope="module")
+def with_test_build(folder: Path) -> dict[Path, bytes]:
+    """Contents of `built`, designed with the test build beside it."""
+    done = run_popsim(folder, *WORDS, "-o", "built", "--calibration")
+    assert done.returncode == 0, done.stderr
+    return contents(folder / "built")
+
+
+@pytest.fixture(scope="module")
+def by_force(folder: Path, with_test_build: dict[Path, bytes]) -> dict[Path, bytes]:
+    """Contents of the same folder, edited by the user, after a design without test build is written into it."""
+    assert Path("calibration/design.json") in with_test_build
+    (folder / "built" / "design.json").write_text("mine")
+    done = run_popsim(folder, *WORDS, "-o", "built", "--force")
+    assert done.returncode == 0, done.stderr
+    return contents(folder / "built")
 
 
 def contents(folder: Path) -> dict[Path, bytes]:
@@ -33,34 +60,35 @@ def contents(folder: Path) -> dict[Path, bytes]:
     return {path.relative_to(folder): path.read_bytes() for path in folder.rglob("*") if path.is_file()}
 
 
-def test_design_leaves_everything_that_is_promised_and_it_verifies(popsim, block: Path, tmp_path: Path) -> None:
-    done = popsim("design", block, "-o", "out", "--dpi", 60)
-    assert done.returncode == 0, done.stderr
-    assert "PASSED" in done.stdout
-    told = [line.split()[0] for line in done.stderr.splitlines()]
+def test_design_leaves_everything_that_is_promised_and_it_verifies(
+    designed: subprocess.CompletedProcess[str], folder: Path
+) -> None:
+    assert designed.returncode == 0, designed.stderr
+    assert "PASSED" in designed.stdout
+    told = [line.split()[0] for line in designed.stderr.splitlines()]
     assert told == ["aligning", "fitting", "cutting", "folding", "painting", "planning", "drawing"]
-    names = {str(path) for path in contents(tmp_path / "out")}
+    names = {str(path) for path in contents(folder / "out")}
     assert {"design.json", "report.json", "sheets.pdf", "assembly.md", "popup.png"} <= names
     assert {"instructions.pdf", "instructions.html"} <= names
     assert any(name.startswith("sheets") and name.endswith(".svg") for name in names)
-    design = load_design(tmp_path / "out" / "design.json")
+    design = load_design(folder / "out" / "design.json")
     assert {patch.texture for patch in design.patches if patch.texture} <= names
-    report = json.loads((tmp_path / "out" / "report.json").read_text())
+    report = json.loads((folder / "out" / "report.json").read_text())
     assert report["passed"] is True
     assert report["seed"] == 0
     assert report["command"].startswith("popsim design block.obj")
-    checked = popsim("verify", "out/design.json", "--report", "verdict.json")
+    checked = run_popsim(folder, "verify", "out/design.json", "--report", "verdict.json")
     assert checked.returncode == 0, checked.stdout
-    assert json.loads((tmp_path / "verdict.json").read_text())["passed"] is True
+    assert json.loads((folder / "verdict.json").read_text())["passed"] is True
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="Windows interrupts otherwise")
 @pytest.mark.parametrize("stage", ["fitting", "drawing"])
 def test_interrupted_it_leaves_no_file_and_no_word_of_a_second_process(
-    stage: str, block: Path, tmp_path: Path
+    stage: str, folder: Path, tmp_path: Path
 ) -> None:
     """Ctrl-C goes to all processes of a run; now and then a library swallows it, and the run goes on."""
-    words = [sys.executable, "-m", "popsim", "design", block, "-o", tmp_path / "out", "--dpi", "60"]
+    words = [sys.executable, "-m", "popsim", "design", folder / "block.obj", "-o", tmp_path / "out", "--dpi", "60"]
     with subprocess.Popen(words, stderr=subprocess.PIPE, text=True, start_new_session=True) as run:
         assert run.stderr is not None
         next(line for line in run.stderr if line.startswith(stage))
@@ -71,36 +99,35 @@ def test_interrupted_it_leaves_no_file_and_no_word_of_a_second_process(
     assert (run.returncode, names) == (130, set()) or (run.returncode == 0 and "report.json" in names)
 
 
-def test_test_build_is_printed_beside_the_design_and_goes_with_it(popsim, block: Path, tmp_path: Path) -> None:
-    done = popsim("design", block, "-o", "out", "--dpi", 60, "--calibration")
-    assert done.returncode == 0, done.stderr
-    names = {str(path) for path in contents(tmp_path / "out")}
+def test_test_build_is_printed_beside_the_design_and_goes_with_it(
+    with_test_build: dict[Path, bytes], by_force: dict[Path, bytes], folder: Path
+) -> None:
+    names = {str(path) for path in with_test_build}
     assert {"sheets.pdf", "design.json", "calibration/sheets.pdf", "calibration/instructions.pdf"} <= names
-    report = json.loads((tmp_path / "out" / "report.json").read_text())
+    report = json.loads(with_test_build[Path("report.json")])
     assert set(report["files"]) | {"report.json"} == names
     assert report["command"].endswith("--calibration")
-    assert len(load_design(tmp_path / "out" / "calibration" / "design.json").mechanisms) == 2
-    assert load_design(tmp_path / "out" / "design.json").source is not None
-    assert popsim("design", block, "-o", "out", "--dpi", 60, "--force").returncode == 0
-    assert not (tmp_path / "out" / "calibration").exists()
+    design, build = folder / "design.json", folder / "build.json"
+    design.write_bytes(with_test_build[Path("design.json")])
+    build.write_bytes(with_test_build[Path("calibration/design.json")])
+    assert len(load_design(build).mechanisms) == 2
+    assert load_design(design).source is not None
+    assert by_force and not (folder / "built" / "calibration").exists()
 
 
-def test_same_input_gives_the_same_bytes(popsim, block: Path, tmp_path: Path) -> None:
-    for folder in ("one", "two"):
-        assert popsim("design", block, "-o", folder, "--dpi", 60).returncode == 0
-    one, two = (contents(tmp_path / name) for name in ("one", "two"))
-    assert one == two
+@pytest.mark.usefixtures("designed")
+def test_same_input_gives_the_same_bytes(by_force: dict[Path, bytes], folder: Path) -> None:
+    """Whether written into no folder or by force into one that has other files."""
+    assert by_force == contents(folder / "out")
 
 
-def test_folder_of_the_user_is_left_alone_without_force(popsim, block: Path, tmp_path: Path) -> None:
-    (tmp_path / "out").mkdir()
-    (tmp_path / "out" / "design.json").write_text("mine")
-    done = popsim("design", block, "-o", "out")
+def test_folder_of_the_user_is_left_alone_without_force(folder: Path) -> None:
+    (folder / "mine").mkdir()
+    (folder / "mine" / "design.json").write_text("mine")
+    done = run_popsim(folder, *WORDS, "-o", "mine")
     assert done.returncode == 2
     assert "--force" in done.stderr
-    assert (tmp_path / "out" / "design.json").read_text() == "mine"
-    assert popsim("design", block, "-o", "out", "--dpi", 60, "--force").returncode == 0
-    assert (tmp_path / "out" / "design.json").read_text() != "mine"
+    assert contents(folder / "mine") == {Path("design.json"): b"mine"}
 
 
 def test_the_usual_weights_are_those_of_fitting() -> None:

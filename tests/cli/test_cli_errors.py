@@ -20,9 +20,9 @@ TRIANGLE = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
         ("packed.gltf", '{"extensionsRequired": ["EXT_meshopt_compression"]}', "EXT_meshopt_compression"),
     ],
 )
-def test_what_is_no_model_is_named(popsim, tmp_path: Path, name: str, content: str, word: str) -> None:
+def test_what_is_no_model_is_named(popsim_main, tmp_path: Path, name: str, content: str, word: str) -> None:
     (tmp_path / name).write_text(content)
-    done = popsim("design", name)
+    done = popsim_main("design", name)
     assert done.returncode == 2, done.stdout + done.stderr
     last = done.stderr.strip().splitlines()[-1]
     assert last.startswith("popsim: ") and word in last
@@ -54,25 +54,25 @@ def test_what_is_no_model_is_named(popsim, tmp_path: Path, name: str, content: s
         (("nonsense",), "nonsense"),
     ],
 )
-def test_bad_arguments_are_named(popsim, tmp_path: Path, arguments: tuple[object, ...], word: str) -> None:
+def test_bad_arguments_are_named(popsim_main, tmp_path: Path, arguments: tuple[object, ...], word: str) -> None:
     (tmp_path / "m.obj").write_text(TRIANGLE)
-    done = popsim(*arguments)
+    done = popsim_main(*arguments)
     assert done.returncode == 2, done.stdout + done.stderr
     assert word in done.stderr
     assert "Traceback" not in done.stderr
     assert {path.name for path in tmp_path.iterdir()} == {"m.obj"}
 
 
-def test_design_of_another_version_is_refused(popsim, tmp_path: Path) -> None:
+def test_design_of_another_version_is_refused(popsim_main, tmp_path: Path) -> None:
     (tmp_path / "d.json").write_text(json.dumps({"format": "popsim-design", "version": 99, "unit": "mm"}))
-    done = popsim("verify", "d.json")
+    done = popsim_main("verify", "d.json")
     assert done.returncode == 2
     assert "version" in done.stderr and "99" in done.stderr
 
 
-def test_unwritable_folder_is_named(popsim, tmp_path: Path) -> None:
+def test_unwritable_folder_is_named(popsim_main, tmp_path: Path) -> None:
     (tmp_path / "m.obj").write_text(TRIANGLE)
-    done = popsim("design", "m.obj", "-o", "m.obj/out")
+    done = popsim_main("design", "m.obj", "-o", "m.obj/out")
     assert done.returncode == 2
     assert "m.obj/out cannot be made" in done.stderr
 
@@ -92,10 +92,24 @@ def test_unwritable_folder_is_named(popsim, tmp_path: Path) -> None:
         ),
     ],
 )
-def test_the_users_hand_slips(popsim, tmp_path: Path, arguments: tuple[str, ...], words: str) -> None:
+def test_the_users_hand_slips(popsim_main, tmp_path: Path, arguments: tuple[str, ...], words: str) -> None:
     (tmp_path / "m.obj").write_text(TRIANGLE)
     (tmp_path / "w.yaml").write_text("keeep: []")
-    done = popsim("design", "m.obj", *arguments)
+    done = popsim_main("design", "m.obj", *arguments)
     assert done.returncode == 2, done.stdout + done.stderr
     assert words in done.stderr
     assert done.stderr.count("\n") == 1
+
+
+@pytest.mark.parametrize(
+    ("arguments", "word"),
+    [(("m.obj",), "empty"), (("m.obj", "--detail", "2"), "detail"), (("--dpi", "90"), "MODEL")],
+)
+def test_a_process_of_its_own_ends_likewise(popsim, tmp_path: Path, arguments: tuple[str, ...], word: str) -> None:
+    """With a model that is none, a number out of range, and nothing to work on."""
+    (tmp_path / "m.obj").touch()
+    done = popsim("design", *arguments)
+    assert done.returncode == 2, done.stdout + done.stderr
+    assert word in done.stderr.splitlines()[-1]
+    assert "Traceback" not in done.stderr
+    assert {path.name for path in tmp_path.iterdir()} == {"m.obj"}
