@@ -147,6 +147,6 @@ def test_a_divided_card_is_joined_before_anything_stands_on_it() -> None:
 
 
 def test_same_layout_same_plan() -> None:
-    one, other = (planned(random_design(3, mechanisms=(1, 3)).design) for _ in range(2))
+    one, other = (planned(random_design(3, mechanisms=(1, 2)).design) for _ in range(2))
     assert one.text == other.text
     assert one.order == other.order

@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import trimesh
+from refusal import refused
 
 from popsim.geometry.rigid import transform
 from popsim.layout import LayoutSettings, find_paper
@@ -14,21 +15,17 @@ from popsim.patches import PatchSettings
 from popsim.pipeline import DesignRun, RunSettings, run_design
 from popsim.pipeline.deliver import UNVERIFIED, deliver
 from popsim.pipeline.prepare import Stance
-from popsim.verification import Verdict, verify
-from popsim.verification.settings import Settings
 
 QUICK = PatchSettings(dpi=60)
 
 
 @pytest.fixture(scope="module")
-def truck(models: Path) -> DesignRun:
-    return run_design(models / "truck" / "truck.obj", RunSettings(patches=QUICK))
-
-
-@pytest.fixture(scope="module")
-def refusal(truck: DesignRun) -> Verdict:
-    """The truck, judged so that nothing passes."""
-    return verify(truck.design, Settings(protruding=-1.0))
+def crane(tmp_path_factory: pytest.TempPathFactory) -> DesignRun:
+    """A mast with a jib, from which something hangs."""
+    path = tmp_path_factory.mktemp("models") / "crane.stl"
+    parts = (((-6, -6, 0), (6, 6, 120)), ((6, -6, 100), (90, 6, 112)), ((70, -6, 85), (78, 6, 100)))
+    trimesh.util.concatenate([trimesh.creation.box(bounds=np.array(part)) for part in parts]).export(path)
+    return run_design(path, RunSettings(stance=Stance(up="z"), patches=QUICK))
 
 
 def test_truck_passes_and_looks_like_a_truck(truck: DesignRun) -> None:
@@ -53,34 +50,27 @@ def test_each_page_fits_a_sheet(truck: DesignRun) -> None:
     assert (np.array(page) <= sorted(LayoutSettings().area(find_paper("A4")))).all()
 
 
-def test_tall_model_is_made_smaller_and_says_so(models: Path) -> None:
-    run = run_design(models / "tower" / "tower.ply", RunSettings(size=400.0, patches=QUICK))
+def test_tall_model_is_made_smaller_and_says_so(tmp_path: Path) -> None:
+    trimesh.creation.box([16, 16, 120]).export(tmp_path / "mast.ply")
+    run = run_design(tmp_path / "mast.ply", RunSettings(stance=Stance(up="z"), size=250.0, patches=QUICK))
+    assert run.prepared.longest < 250.0
     assert any("scaled to" in note for note in run.notes)
     assert run.verdict.passed
 
 
-def test_a_jib_becomes_part_of_the_sides_of_its_mast(tmp_path: Path) -> None:
-    crane = trimesh.util.concatenate(
-        [
-            trimesh.creation.box(bounds=np.array(bounds))
-            for bounds in (((-6, -6, 0), (6, 6, 120)), ((6, -6, 100), (90, 6, 112)), ((70, -6, 85), (78, 6, 100)))
-        ]
-    )
-    crane.export(tmp_path / "crane.stl")
-    run = run_design(tmp_path / "crane.stl", RunSettings(stance=Stance(up="z"), patches=QUICK))
-    assert run.verdict.passed
-    assert [mechanism.type for mechanism in run.fit.mechanisms] == ["box-fold"]
-    box, shapes = run.fit.mechanisms[0], run.painted.shapes
+def test_a_jib_becomes_part_of_the_sides_of_its_mast(crane: DesignRun) -> None:
+    assert crane.verdict.passed
+    assert [mechanism.type for mechanism in crane.fit.mechanisms] == ["box-fold"]
+    box, shapes = crane.fit.mechanisms[0], crane.painted.shapes
     low, high = box.face_box()[:, 0]
     for side in ("M1.L", "M1.R"):
         reach = np.ptp(shapes[side].outline[:, 0])
         assert reach > 2 * (high - low)
-    assert run.fit.likeness.silhouette > 0.8
+    assert crane.fit.likeness.silhouette > 0.8
 
 
-def test_what_failed_is_not_exported_but_reported(truck: DesignRun, refusal: Verdict, tmp_path: Path) -> None:
-    failed = replace(truck, verdict=refusal)
-    files, _ = deliver(failed, tmp_path / "out", command="popsim design", footer="", force=False)
+def test_what_failed_is_not_exported_but_reported(crane: DesignRun, tmp_path: Path) -> None:
+    files, _ = deliver(refused(crane), tmp_path / "out", command="popsim design", footer="", force=False)
     assert {file.name for file in files} == {"wishes.yaml", "report.json"}
     assert {path.name for path in (tmp_path / "out").iterdir()} == {"wishes.yaml", "report.json"}
     report = json.loads((tmp_path / "out" / "report.json").read_text())
@@ -88,11 +78,11 @@ def test_what_failed_is_not_exported_but_reported(truck: DesignRun, refusal: Ver
     assert report["layout"] is None
 
 
-def test_unverified_export_marks_every_sheet(truck: DesignRun, refusal: Verdict, tmp_path: Path) -> None:
+def test_unverified_export_marks_every_sheet(crane: DesignRun, tmp_path: Path) -> None:
     import pypdfium2
 
-    allowed = replace(truck.settings, allow_unverified=True, formats=("pdf",))
-    failed = replace(truck, verdict=refusal, settings=allowed)
+    allowed = replace(crane.settings, allow_unverified=True, formats=("pdf",))
+    failed = replace(refused(crane), settings=allowed)
     deliver(failed, tmp_path / "out", command="popsim design", footer="", force=False)
     document = pypdfium2.PdfDocument(tmp_path / "out" / "sheets.pdf")
     report = json.loads((tmp_path / "out" / "report.json").read_text())
