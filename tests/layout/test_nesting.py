@@ -23,11 +23,12 @@ def random_shapes(count: int) -> list[Polygon]:
 
 
 def test_irregular_shapes_share_sheets() -> None:
-    shapes = random_shapes(30)
-    places = nest(shapes, [str(k) for k in range(len(shapes))], ROOM, 3.0, grain=False)
+    shapes, room = random_shapes(18), (120.0, 160.0)
+    places = nest(shapes, [str(k) for k in range(len(shapes))], room, 3.0, grain=False)
     filled = np.zeros(max(place.sheet for place in places) + 1)
     for shape, place in zip(shapes, places, strict=True):
-        filled[place.sheet] += shape.area / (ROOM[0] * ROOM[1])
+        filled[place.sheet] += shape.area / (room[0] * room[1])
+    assert len(filled) > 1
     assert filled[:-1].min() > 0.5
 
 
