@@ -30,15 +30,15 @@ def test_version_and_help(popsim) -> None:
     assert all(word in done.stdout for word in ("design", "verify", "schema"))
 
 
-def test_validate_confirms_the_conditions_and_writes_a_report(popsim, tmp_path: Path) -> None:
-    done = popsim("validate", "--count", 6, "--seed", 3, "-o", "campaign")
+def test_validate_confirms_the_conditions_and_writes_a_report(popsim, popsim_main, tmp_path: Path) -> None:
+    done = popsim("validate", "--count", 6, "--seed", 3, "--jobs", 1, "-o", "campaign")
     assert done.returncode == 0, done.stdout + done.stderr
     report = json.loads((tmp_path / "campaign" / "report.json").read_text())
     assert report["designs"] == 6 and report["passed"] is True
     assert "PASSED 6 designs" in done.stdout
-    again = popsim("validate", "--count", 6, "-o", "campaign")
+    again = popsim_main("validate", "--count", 6, "-o", "campaign")
     assert again.returncode == 2 and "--force" in again.stderr
-    assert popsim("validate", "--count", 0).returncode == 2
+    assert popsim_main("validate", "--count", 0).returncode == 2
 
 
 def test_schema_accepts_what_popsim_writes(popsim) -> None:
@@ -48,7 +48,7 @@ def test_schema_accepts_what_popsim_writes(popsim) -> None:
     jsonschema.Draft202012Validator(schema).validate(json.loads(dump_design(design)))
 
 
-def test_design_that_shears_fails_with_exit_code_1_and_says_why(popsim, tmp_path: Path) -> None:
+def test_design_that_shears_fails_with_exit_code_1_and_says_why(popsim, popsim_main, tmp_path: Path) -> None:
     card = Card(x=(-100.0, 100.0), depth=100.0)
     box = BoxFold(
         "M1", card_pair(card), 20.0, BoxFold.plain("M1", card_pair(card), 20.0, 30.0, (0.0, 40.0)).tops, ()
@@ -58,5 +58,5 @@ def test_design_that_shears_fails_with_exit_code_1_and_says_why(popsim, tmp_path
     assert done.returncode == 1
     assert "FAILED" in done.stdout and "stable" in done.stdout
     assert json.loads((tmp_path / "verdict.json").read_text())["passed"] is False
-    again = popsim("verify", "shears.json", "--report", "verdict.json")
+    again = popsim_main("verify", "shears.json", "--report", "verdict.json")
     assert again.returncode == 2 and "--force" in again.stderr

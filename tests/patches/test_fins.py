@@ -1,5 +1,7 @@
 """Backbones rise as fins through slits in the tops, and the whole still folds."""
 
+from functools import cache
+
 import numpy as np
 import pytest
 from patch_solids import box_of, coloured_box, joined
@@ -26,15 +28,25 @@ def painted(*parts):
     return paint([BOX], surface, {"M1": box_of(surface)}, PatchSettings(dpi=75))
 
 
+@cache
+def with_mast():
+    return painted(MAST)
+
+
+@cache
+def without():
+    return painted()
+
+
 def test_a_mast_over_the_fold_becomes_a_fin_of_its_shape():
-    fin = painted(MAST).shapes["M1.C"].outline
+    fin = with_mast().shapes["M1.C"].outline
     above = fin[fin[:, 2] > 41]
     assert above[:, 2].max() == pytest.approx(75, abs=0.3)
     assert np.sort(above[:, 0])[[0, -1]] == pytest.approx([-10, 10], abs=0.3)
 
 
 def test_its_top_has_a_slit_just_wide_enough():
-    shapes = painted(MAST).shapes
+    shapes = with_mast().shapes
     ground, backdrop = (Polygon(shapes[name].outline[:, :2]) for name in ("M1.T_G", "M1.T_B"))
     for x in (-10.2, 0.0, 10.2):
         assert not ground.contains(Point(x, 0.95 * WIDTH)) and ground.contains(Point(x, 1.05 * WIDTH))
@@ -43,22 +55,22 @@ def test_its_top_has_a_slit_just_wide_enough():
 
 
 def test_it_is_printed_and_the_hidden_backbone_is_not():
-    made = painted(MAST)
+    made = with_mast()
     frame = made.shapes["M1.C"].texture_frame
     assert frame is not None and frame.origin[2] > 35
-    assert painted().shapes["M1.C"].texture is None
+    assert without().shapes["M1.C"].texture is None
 
 
 def test_fins_are_told_because_one_of_their_sides_stays_bare():
-    assert painted(MAST).fins == ("M1.C",)
-    assert painted().fins == ()
+    assert with_mast().fins == ("M1.C",)
+    assert without().fins == ()
     (told,) = bare_sides(("M1.C",), None)
     assert "M1.C" in told and "both sides" in told and "white" in told
     assert "#202020" in bare_sides(("M1.C",), "#202020")[0]
 
 
 def test_its_slit_is_cut_and_the_crease_stops_at_it():
-    layout = lay_out(assemble(CARD, [BOX], painted(MAST).shapes), paper="700x900mm")
+    layout = lay_out(assemble(CARD, [BOX], with_mast().shapes), paper="700x900mm")
     piece = layout.piece_of["M1.T_G"]
     assert "M1.T_B" in piece.motions
     (slit,) = (Polygon(ring) for ring in piece.outline.interiors)
@@ -71,7 +83,7 @@ def test_its_slit_is_cut_and_the_crease_stops_at_it():
 
 
 def test_it_folds_with_all_its_hinges():
-    verdict = verify(assemble(CARD, [BOX], painted(MAST).shapes))
+    verdict = verify(assemble(CARD, [BOX], with_mast().shapes))
     assert verdict.passed and verdict.grade == "rigid"
 
 
