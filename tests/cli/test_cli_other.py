@@ -31,7 +31,7 @@ def test_version_and_help(popsim) -> None:
 
 
 def test_validate_confirms_the_conditions_and_writes_a_report(popsim, popsim_main, tmp_path: Path) -> None:
-    done = popsim("validate", "--count", 6, "--seed", 3, "--jobs", 1, "-o", "campaign")
+    done = popsim("validate", "--count", 6, "--seed", 3, "-o", "campaign")
     assert done.returncode == 0, done.stdout + done.stderr
     report = json.loads((tmp_path / "campaign" / "report.json").read_text())
     assert report["designs"] == 6 and report["passed"] is True

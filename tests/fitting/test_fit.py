@@ -107,7 +107,7 @@ def test_bay_is_found_beside_a_wall_that_ends_within_a_cell() -> None:
 
 
 def test_detail_brings_patches() -> None:
-    tiers = [block((-48 + 8 * k, -40 + 6 * k, 0), (48 - 8 * k, 40 - 6 * k, 12.0 * (k + 1))) for k in range(3)]
+    tiers = [block((-48 + 8 * k, -40 + 6 * k, 0), (48 - 8 * k, 40 - 6 * k, 12.0 * (k + 1))) for k in range(5)]
     found = [fitted(surface(*tiers), detail=detail).mechanisms for detail in (0.1, 0.5, 0.8)]
     counts = [sum(len(mechanism.plates()) for mechanism in mechanisms) for mechanisms in found]
     assert counts[0] < min(counts[1:])

@@ -125,7 +125,7 @@ def test_the_user_may_turn_the_model(degrees: float) -> None:
 
 
 def test_method_none_keeps_the_model_axes() -> None:
-    found = align(model_of(truck_mesh(), turn(Z, 30)), up="z", method="none")
+    found = align(model_of(truck_mesh(), turn(Z, 30)), method="none")
     assert set(np.abs(found.matrix[:3, :3]).ravel()) == {0.0, 1.0}
 
 
@@ -184,7 +184,7 @@ def test_without_a_mirror_plane_the_fold_runs_along_the_longer_side(shared_meshe
 
 @pytest.mark.parametrize(("front", "axes"), [("x", "x y z"), ("-x", "-x -y z"), ("y", "y -x z"), ("-y", "-y x z")])
 def test_front_points_to_x(front: str, axes: str) -> None:
-    found = align(model_of(truck_mesh()), up="z", front=front)
+    found = align(model_of(truck_mesh()), front=front)
     assert " ".join(found.axes) == axes
     assert found.matrix[0, :3] @ np.eye(3)["xyz".index(front[-1])] == pytest.approx(-1 if "-" in front else 1)
 

@@ -23,30 +23,21 @@ BODY = coloured_box((-50, -30, 0), (50, 30, 40))
 MAST = coloured_box((-10, -3, 40), (10, 3, 75))
 
 
+@cache
 def painted(*parts):
     surface = joined(BODY, *parts)
     return paint([BOX], surface, {"M1": box_of(surface)}, PatchSettings(dpi=75))
 
 
-@cache
-def with_mast():
-    return painted(MAST)
-
-
-@cache
-def without():
-    return painted()
-
-
 def test_a_mast_over_the_fold_becomes_a_fin_of_its_shape():
-    fin = with_mast().shapes["M1.C"].outline
+    fin = painted(MAST).shapes["M1.C"].outline
     above = fin[fin[:, 2] > 41]
     assert above[:, 2].max() == pytest.approx(75, abs=0.3)
     assert np.sort(above[:, 0])[[0, -1]] == pytest.approx([-10, 10], abs=0.3)
 
 
 def test_its_top_has_a_slit_just_wide_enough():
-    shapes = with_mast().shapes
+    shapes = painted(MAST).shapes
     ground, backdrop = (Polygon(shapes[name].outline[:, :2]) for name in ("M1.T_G", "M1.T_B"))
     for x in (-10.2, 0.0, 10.2):
         assert not ground.contains(Point(x, 0.95 * WIDTH)) and ground.contains(Point(x, 1.05 * WIDTH))
@@ -55,22 +46,22 @@ def test_its_top_has_a_slit_just_wide_enough():
 
 
 def test_it_is_printed_and_the_hidden_backbone_is_not():
-    made = with_mast()
+    made = painted(MAST)
     frame = made.shapes["M1.C"].texture_frame
     assert frame is not None and frame.origin[2] > 35
-    assert without().shapes["M1.C"].texture is None
+    assert painted().shapes["M1.C"].texture is None
 
 
 def test_fins_are_told_because_one_of_their_sides_stays_bare():
-    assert with_mast().fins == ("M1.C",)
-    assert without().fins == ()
+    assert painted(MAST).fins == ("M1.C",)
+    assert painted().fins == ()
     (told,) = bare_sides(("M1.C",), None)
     assert "M1.C" in told and "both sides" in told and "white" in told
     assert "#202020" in bare_sides(("M1.C",), "#202020")[0]
 
 
 def test_its_slit_is_cut_and_the_crease_stops_at_it():
-    layout = lay_out(assemble(CARD, [BOX], with_mast().shapes), paper="700x900mm")
+    layout = lay_out(assemble(CARD, [BOX], painted(MAST).shapes), paper="700x900mm")
     piece = layout.piece_of["M1.T_G"]
     assert "M1.T_B" in piece.motions
     (slit,) = (Polygon(ring) for ring in piece.outline.interiors)
@@ -83,7 +74,7 @@ def test_its_slit_is_cut_and_the_crease_stops_at_it():
 
 
 def test_it_folds_with_all_its_hinges():
-    verdict = verify(assemble(CARD, [BOX], with_mast().shapes))
+    verdict = verify(assemble(CARD, [BOX], painted(MAST).shapes))
     assert verdict.passed and verdict.grade == "rigid"
 
 

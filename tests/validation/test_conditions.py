@@ -1,4 +1,4 @@
-"""The geometric conditions confirmed over 200 random designs, and the record of a campaign over many more."""
+"""The geometric conditions confirmed over 300 random designs, and the record of a campaign over many more."""
 
 import json
 from pathlib import Path
@@ -9,8 +9,8 @@ from popsim.verification import Settings
 from popsim.verification.campaign import plan, run_campaign, summary
 from popsim.verification.random_designs import FLAWS
 
-CHUNKS, DESIGNS = 8, 25
-"""Campaigns of their own, so that they spread over all cores: 200 designs."""
+CHUNKS, DESIGNS = 12, 25
+"""Campaigns of their own, so that they spread over all cores: 300 designs."""
 
 HERE = Path(__file__).parent
 RECORD, TEXT = HERE / "campaign.json", HERE / "campaign.txt"
