@@ -34,7 +34,7 @@ class Outline:
     polygon:
         The outline taken in by HAIR, holes left free, in flat coordinates.
     opaque:
-        The same let out by HAIR: nothing is seen through the gap along a crease.
+        The outline let out by HAIR: nothing is seen through the gap along a crease.
     points:
         Points along its rings and one inside, shape (m, 3).
     """

@@ -71,13 +71,13 @@ class Lettering:
         smallest = min(size, LEGIBLE)
         inside = [(spots, tried, shape) for tried in _sizes(size)]
         for middles, tried, paper in (*inside, (_around(spots[-1]), smallest, self.paper)):
-            places = _places(middles, angles)
-            boxes = _boxes(text, *places, tried)
+            centres, turns = _places(middles, angles)
+            boxes = _boxes(text, centres, turns, tried)
             for k in np.flatnonzero(shapely.contains(paper, boxes)):
                 if not shapely.intersects(boxes[k], self._taken).any():
-                    return places[0][k], tried, float(places[1][k]), boxes[k]
-        last = spots[-1:], np.array(angles[:1])
-        return spots[-1], smallest, angles[0], _boxes(text, *last, smallest)[0]
+                    return centres[k], tried, float(turns[k]), boxes[k]
+        (box,) = _boxes(text, spots[-1:], np.array(angles[:1]), smallest)
+        return spots[-1], smallest, angles[0], box
 
 
 def _sizes(size: float) -> list[float]:
